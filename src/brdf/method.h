@@ -1,0 +1,84 @@
+// The one registry: a row per shading method. Everything that names a method (command line, GLSL file, probe, test,
+// documentation) reads it from here.
+#pragma once
+
+#include "brdf/shading_point.h"
+
+#include <optional>
+#include <span>
+#include <string_view>
+#include <variant>
+
+namespace torrance::brdf {
+
+/// The places of the shading equation that a method can fill.
+enum class Slot
+{
+    distribution,        // D, 1/sr
+    visibility,          // V = G / (4 NoV NoL), 1
+    fresnel,             // F per colour channel
+    diffuse,             // diffuse BRDF per colour channel, 1/sr
+    multipleScattering,  // factor on the specular lobe per colour channel
+    environmentDiffuse,  // irradiance / pi from an environment
+    environmentSpecular, // prefiltered radiance from an environment
+    dfg,                 // directional albedo terms of the specular lobe
+    tone,                // scene-linear to display-linear
+    transfer,            // display-linear to encoded
+};
+
+/// Folder, command-line option and probe term of a slot: "distribution", "multiple_scattering", ...
+std::string_view slotName(Slot slot);
+/// The prefix of the function's name in GLSL and in C++: "D", "V", "F", ...
+std::string_view slotPrefix(Slot slot);
+std::span<const Slot> allSlots();
+std::optional<Slot> findSlot(std::string_view name);
+
+using ScalarFormula = double (*)(const ShadingPoint&);
+using ColorFormula = dvec3 (*)(const ShadingPoint&);
+/// (NoV, perceptual roughness) -> scale, bias, diffuse weight w: see albedo.h
+using DfgFormula = dvec3 (*)(double NoV, double perceptualRoughness);
+/// One colour to one colour: tone curves and transfer functions.
+using CurveFormula = dvec3 (*)(const dvec3&);
+/// A slot that is judged by image, not by a formula of a point.
+struct NoFormula
+{
+};
+using Formula = std::variant<ScalarFormula, ColorFormula, DfgFormula, CurveFormula, NoFormula>;
+
+struct Method
+{
+    Slot slot;
+    std::string_view id;           // names the GLSL file, the function <prefix>_<id> and the command-line value
+    std::string_view citation;     // with the equation's number
+    std::string_view approximates; // what it stands in for; empty: it is the exact form of what it names
+    std::string_view domain;       // where it is valid
+    bool reciprocal;               // claims f(v, l) = f(l, v)
+    Formula formula;
+};
+
+std::span<const Method> allMethods();
+const Method* findMethod(Slot slot, std::string_view id);
+
+/// One method per slot.
+struct Preset
+{
+    std::string_view id;
+    std::string_view description;
+    const Method* distribution;
+    const Method* visibility;
+    const Method* fresnel;
+    const Method* diffuse;
+    const Method* multipleScattering;
+    const Method* environmentDiffuse;
+    const Method* environmentSpecular;
+    const Method* dfg;
+
+    const Method* operator[](Slot slot) const; // null for tone and transfer
+    const Method*& operator[](Slot slot);      // throws std::out_of_range for tone and transfer
+};
+
+/// `standard` (the default) and `gltf`.
+std::span<const Preset> allPresets();
+const Preset* findPreset(std::string_view id);
+
+} // namespace torrance::brdf

@@ -1,0 +1,37 @@
+// What a shading formula is given, in double. Vectors are unit and point away from the surface.
+#pragma once
+
+#include "math/vector.h"
+
+namespace torrance::brdf {
+
+/// alpha = max(r^2, kMinAlpha): roughness 0 with a point light is a finite highlight of peak 1 / (pi kMinAlpha^2). It alters
+/// perceptual roughness below 0.01 only. The same constant stands in shaders/shared/constants.h.
+inline constexpr double kMinAlpha = 1e-4;
+
+struct ShadingPoint
+{
+    dvec3 n = dvec3(0, 0, 1), v = dvec3(0, 0, 1), l = dvec3(0, 0, 1);
+
+    double NoV = 1, NoL = 1; // signed
+    double NoH = 1, VoH = 1; // h = (v + l) / |v + l|
+    double sin2H = 0;        // 1 - NoH^2 = |n x t|^2 / |t|^2, t = v + l
+
+    double perceptualRoughness = 1;
+    double alpha = 1;  // max(r^2, kMinAlpha)
+    double alphaT = 1; // along the tangent, bitangent
+    double alphaB = 1;
+
+    dvec3 f0 = dvec3(0.04), f90 = dvec3(1.0);
+    double ior = 1.5;       // transmitted over incident; 0 means infinite
+    dvec3 eta = dvec3(1.5); // complex index of a conductor
+    dvec3 k = dvec3(0.0);
+    dvec3 baseColor = dvec3(1.0);
+    double metallic = 0;
+};
+
+/// Fills the cosines, sin2H and the alphas from n, v, l and perceptualRoughness. n, v, l are normalised first. Where
+/// l = -v there is no half vector: NoH = 0, sin2H = 1, VoH = 0 (nothing is reflected there: one of NoV, NoL is <= 0).
+ShadingPoint makeShadingPoint(const dvec3& n, const dvec3& v, const dvec3& l, double perceptualRoughness);
+
+} // namespace torrance::brdf

@@ -1,0 +1,105 @@
+#include "core/atomic_write.h"
+
+#include "core/error.h"
+
+#include <atomic>
+#include <cerrno>
+#include <cstring>
+#include <fcntl.h>
+#include <string>
+#include <unistd.h>
+
+namespace torrance {
+namespace {
+
+namespace fs = std::filesystem;
+
+fs::path temporaryName(const fs::path& path)
+{
+    static std::atomic<unsigned> counter = 0;
+    const std::string name =
+        "." + path.stem().string() + "." + std::to_string(getpid()) + "-" + std::to_string(counter++) + path.extension().string();
+    return path.parent_path() / name;
+}
+
+class TemporaryFile
+{
+public:
+    explicit TemporaryFile(const fs::path& target) : name(temporaryName(target)) {}
+    ~TemporaryFile()
+    {
+        std::error_code ignored;
+        if (!kept)
+            fs::remove(name, ignored);
+    }
+    TemporaryFile(const TemporaryFile&) = delete;
+    TemporaryFile& operator=(const TemporaryFile&) = delete;
+
+    void renameTo(const fs::path& target)
+    {
+        std::error_code failure;
+        fs::rename(name, target, failure);
+        if (failure)
+            throw writeError(target.string(), failure.message(), "choose another output");
+        kept = true;
+    }
+
+    fs::path name;
+
+private:
+    bool kept = false;
+};
+
+[[noreturn]] void failWithErrno(const fs::path& path)
+{
+    throw writeError(path.string(), std::strerror(errno), "choose a writable place with free space");
+}
+
+void checkTarget(const fs::path& path)
+{
+    std::error_code ignored;
+    if (fs::is_directory(path, ignored))
+        throw writeError(path.string(), "is a directory", "name a file");
+}
+
+} // namespace
+
+void writeFile(const fs::path& path, std::span<const std::byte> bytes)
+{
+    checkTarget(path);
+    TemporaryFile temporary(path);
+    const int file = open(temporary.name.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
+    if (file < 0)
+        failWithErrno(path);
+    std::size_t done = 0;
+    while (done < bytes.size())
+    {
+        const ssize_t n = write(file, bytes.data() + done, bytes.size() - done);
+        if (n < 0 && errno == EINTR)
+            continue;
+        if (n <= 0)
+        {
+            close(file);
+            failWithErrno(path);
+        }
+        done += static_cast<std::size_t>(n);
+    }
+    if (close(file) != 0)
+        failWithErrno(path);
+    temporary.renameTo(path);
+}
+
+void writeFile(const fs::path& path, std::string_view text)
+{
+    writeFile(path, std::as_bytes(std::span(text)));
+}
+
+void writeFileThrough(const fs::path& path, const std::function<void(const fs::path&)>& write)
+{
+    checkTarget(path);
+    TemporaryFile temporary(path);
+    write(temporary.name);
+    temporary.renameTo(path);
+}
+
+} // namespace torrance

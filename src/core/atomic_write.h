@@ -1,0 +1,21 @@
+// Files that are there whole or not at all.
+#pragma once
+
+#include <cstddef>
+#include <filesystem>
+#include <functional>
+#include <span>
+#include <string_view>
+
+namespace torrance {
+
+/// Writes to a temporary name beside `path` and renames it to `path`. On any failure the temporary file is removed,
+/// `path` keeps what it held, and an Error (cannotWrite) says why.
+void writeFile(const std::filesystem::path& path, std::span<const std::byte> bytes);
+void writeFile(const std::filesystem::path& path, std::string_view text);
+
+/// The same for libraries that want to write a file by name: `write` fills the temporary file that it is given. Its
+/// name ends in the extension of `path`.
+void writeFileThrough(const std::filesystem::path& path, const std::function<void(const std::filesystem::path&)>& write);
+
+} // namespace torrance
