@@ -1,28 +1,36 @@
-# Every dependency, once: what it is for, its least version, its Debian 12 package (tools/packages.sh reads the package names from here).
-#
-#   torrance_needs(<CMake package> <version> <Debian package>...)
-macro(torrance_needs NAME VERSION)
-  find_package(${NAME} ${VERSION} REQUIRED)
-endmacro()
+# Every dependency, once: its least version and its Debian 12 packages. tools/packages.sh reads the packages from here, as
+# the words that end a line after the mark "debian:".
 
-find_package(PkgConfig REQUIRED)                            # debian: pkg-config
-find_package(Threads REQUIRED)                              # before glslang, or its configuration fails
+# What builds it: a C++20 compiler (g++ 12) and CMake 3.25.
+# debian: g++ cmake ninja-build ccache python3 git ca-certificates
+find_package(PkgConfig REQUIRED)                              # debian: pkg-config
+find_package(Threads REQUIRED)                                # before glslang, or its configuration fails
 
-find_package(Vulkan 1.3.239 REQUIRED)                       # debian: libvulkan-dev mesa-vulkan-drivers vulkan-validationlayers
-find_package(glslang CONFIG REQUIRED)                       # debian: glslang-dev glslang-tools spirv-tools
-find_package(glm CONFIG REQUIRED)                           # debian: libglm-dev
-find_package(nlohmann_json 3.11 REQUIRED)                   # debian: nlohmann-json3-dev
-find_package(fmt 9 REQUIRED)                                # debian: libfmt-dev
-find_package(CLI11 2.1 REQUIRED)                            # debian: libcli11-dev
-find_package(PNG 1.6 REQUIRED)                              # debian: libpng-dev
-find_package(libjpeg-turbo 2.1 REQUIRED)                    # debian: libturbojpeg0-dev libjpeg62-turbo-dev
-find_package(OpenEXR 3.1 CONFIG REQUIRED)                   # debian: libopenexr-dev
-find_package(embree 3.13 REQUIRED)                          # debian: libembree-dev libtbb-dev
-pkg_check_modules(libwebp REQUIRED IMPORTED_TARGET libwebp) # debian: libwebp-dev
-pkg_check_modules(xxhash REQUIRED IMPORTED_TARGET libxxhash) # debian: libxxhash-dev
-find_path(TINYGLTF_INCLUDE_DIR tiny_gltf.h REQUIRED)        # debian: libtinygltf-dev
+# The device. mesa-vulkan-drivers is lavapipe, for machines without a GPU and for the tests.
+find_package(Vulkan 1.3.239 REQUIRED)                         # debian: libvulkan-dev mesa-vulkan-drivers vulkan-validationlayers
+find_package(glslang 12 CONFIG REQUIRED)                      # debian: glslang-dev glslang-tools spirv-tools
+
+# Numbers, text, command line
+find_package(glm 0.9.9.8 CONFIG REQUIRED)                     # debian: libglm-dev
+find_package(nlohmann_json 3.11 REQUIRED)                     # debian: nlohmann-json3-dev
+find_package(fmt 9 REQUIRED)                                  # debian: libfmt-dev
+find_package(CLI11 2.1 REQUIRED)                              # debian: libcli11-dev
+pkg_check_modules(xxhash REQUIRED IMPORTED_TARGET libxxhash>=0.8) # debian: libxxhash-dev
+
+# Files
+find_package(TinyGLTFHeader 2.7 REQUIRED)                     # debian: libtinygltf-dev
+find_package(PNG 1.6 REQUIRED)                                # debian: libpng-dev
+find_package(libjpeg-turbo 2.1 REQUIRED)                      # debian: libturbojpeg0-dev libjpeg62-turbo-dev
+# QUIET: its configuration warns of a Python module that Debian packs apart.
+find_package(OpenEXR 3.1 CONFIG QUIET REQUIRED)               # debian: libopenexr-dev
+pkg_check_modules(libwebp REQUIRED IMPORTED_TARGET libwebp>=1.2) # debian: libwebp-dev
+
+# Rays on the processor
+find_package(embree 3.13 REQUIRED)                            # debian: libembree-dev libtbb-dev
+
 if(TORRANCE_TESTS)
-  find_package(GTest 1.12 REQUIRED)                         # debian: libgtest-dev
+  find_package(GTest 1.12 REQUIRED)                           # debian: libgtest-dev
+  find_package(Python3 3.9 REQUIRED COMPONENTS Interpreter)   # the checks of the tree itself
 endif()
 
 # GLM with one set of switches everywhere: clip depth runs 0..1 as Vulkan has it.

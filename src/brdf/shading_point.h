@@ -5,8 +5,8 @@
 
 namespace torrance::brdf {
 
-/// alpha = max(r^2, kMinAlpha): roughness 0 with a point light is a finite highlight of peak 1 / (pi kMinAlpha^2). It alters
-/// perceptual roughness below 0.01 only. The same constant stands in shaders/shared/constants.h.
+/// alpha = max(r^2, kMinAlpha): roughness 0 with a point light is a finite highlight of peak 1 / (pi kMinAlpha^2). It
+/// alters perceptual roughness below 0.01 only. The same constant stands in shaders/shared/constants.h.
 inline constexpr double kMinAlpha = 1e-4;
 
 struct ShadingPoint

@@ -17,8 +17,8 @@ namespace fs = std::filesystem;
 fs::path temporaryName(const fs::path& path)
 {
     static std::atomic<unsigned> counter = 0;
-    const std::string name =
-        "." + path.stem().string() + "." + std::to_string(getpid()) + "-" + std::to_string(counter++) + path.extension().string();
+    const std::string name = "." + path.stem().string() + "." + std::to_string(getpid()) + "-" +
+                             std::to_string(counter++) + path.extension().string();
     return path.parent_path() / name;
 }
 
@@ -72,13 +72,11 @@ void writeFile(const fs::path& path, std::span<const std::byte> bytes)
     if (file < 0)
         failWithErrno(path);
     std::size_t done = 0;
-    while (done < bytes.size())
-    {
+    while (done < bytes.size()) {
         const ssize_t n = write(file, bytes.data() + done, bytes.size() - done);
         if (n < 0 && errno == EINTR)
             continue;
-        if (n <= 0)
-        {
+        if (n <= 0) {
             close(file);
             failWithErrno(path);
         }

@@ -16,6 +16,7 @@ void writeFile(const std::filesystem::path& path, std::string_view text);
 
 /// The same for libraries that want to write a file by name: `write` fills the temporary file that it is given. Its
 /// name ends in the extension of `path`.
-void writeFileThrough(const std::filesystem::path& path, const std::function<void(const std::filesystem::path&)>& write);
+void writeFileThrough(const std::filesystem::path& path,
+                      const std::function<void(const std::filesystem::path&)>& write);
 
 } // namespace torrance

@@ -33,8 +33,7 @@ public:
     ContentHasher& add(std::span<const std::byte> bytes);
     ContentHasher& add(std::string_view text);
     template <typename T>
-        requires std::is_arithmetic_v<T> || std::is_enum_v<T>
-    ContentHasher& add(T value)
+    requires std::is_arithmetic_v<T> || std::is_enum_v<T> ContentHasher& add(T value)
     {
         return add(std::as_bytes(std::span(&value, 1)));
     }

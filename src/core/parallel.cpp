@@ -16,8 +16,7 @@ constexpr std::size_t kMaxWorkers = 256; // more threads than this only cost mem
 
 std::size_t countWorkers()
 {
-    if (const char* text = std::getenv("TORRANCE_THREADS"))
-    {
+    if (const char* text = std::getenv("TORRANCE_THREADS")) {
         const long asked = std::strtol(text, nullptr, 10);
         if (asked > 0)
             return std::min<std::size_t>(static_cast<std::size_t>(asked), kMaxWorkers);
@@ -45,18 +44,14 @@ void parallelFor(std::size_t count, std::size_t grain, const std::function<void(
     std::mutex failureMutex;
 
     const auto takeItems = [&] {
-        for (;;)
-        {
+        for (;;) {
             const std::size_t first = next.fetch_add(grain);
             if (first >= count)
                 return;
-            try
-            {
+            try {
                 for (std::size_t i = first; i < std::min(first + grain, count); ++i)
                     work(i);
-            }
-            catch (...)
-            {
+            } catch (...) {
                 const std::lock_guard lock(failureMutex);
                 if (!failure)
                     failure = std::current_exception();

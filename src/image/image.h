@@ -22,8 +22,9 @@ struct Image
 
     float* at(int x, int y)
     {
-        return texels.data() + (static_cast<std::size_t>(y) * static_cast<std::size_t>(width) + static_cast<std::size_t>(x)) *
-                                   static_cast<std::size_t>(channels);
+        return texels.data() +
+               (static_cast<std::size_t>(y) * static_cast<std::size_t>(width) + static_cast<std::size_t>(x)) *
+                   static_cast<std::size_t>(channels);
     }
     const float* at(int x, int y) const { return const_cast<Image*>(this)->at(x, y); }
 };

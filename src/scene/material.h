@@ -7,11 +7,12 @@
 
 namespace torrance {
 
-/// A use of a texture by a material. uv' = transform * (u, v, 1), KHR_texture_transform; u right, v down, origin top-left.
+/// A use of a texture by a material. uv' = transform * (u, v, 1), KHR_texture_transform; u right, v down, origin
+/// top-left.
 struct TextureUse
 {
-    int texture = -1; // Scene::textures, -1 = none
-    int uvSet = 0;    // 0 or 1
+    int texture = -1;                                                    // Scene::textures, -1 = none
+    int uvSet = 0;                                                       // 0 or 1
     glm::dmat3x2 transform = glm::dmat3x2(1.0, 0.0, 0.0, 1.0, 0.0, 0.0); // columns: d/du, d/dv, offset
 
     bool used() const { return texture >= 0; }

@@ -32,8 +32,9 @@ struct Primitive
     std::vector<vec4> tangents; // xyz unit, w = sign of the bitangent
     std::array<std::vector<vec2>, 2> uvs;
     std::vector<vec4> colors; // linear, multiplies base colour
-    std::vector<std::uint32_t> indices; // never empty for a primitive that is drawn: made 0..n-1 where the file has none
-    int material = -1;        // Scene::materials; -1 = glTF's default material
+    std::vector<std::uint32_t>
+        indices;       // never empty for a primitive that is drawn: made 0..n-1 where the file has none
+    int material = -1; // Scene::materials; -1 = glTF's default material
     dvec3 boundsMin = dvec3(0.0);
     dvec3 boundsMax = dvec3(0.0);
 };
@@ -72,10 +73,10 @@ struct Light
     Kind kind = Kind::directional;
     dvec3 color = dvec3(1.0); // linear
     double intensity = 1.0;
-    double range = 0.0; // metres, 0 = unlimited
-    double innerConeAngle = 0.0;         // radians
-    double outerConeAngle = kPi / 4.0;   // radians
-    dvec3 position = dvec3(0.0);         // world
+    double range = 0.0;                      // metres, 0 = unlimited
+    double innerConeAngle = 0.0;             // radians
+    double outerConeAngle = kPi / 4.0;       // radians
+    dvec3 position = dvec3(0.0);             // world
     dvec3 direction = dvec3(0.0, 0.0, -1.0); // world, unit, the way the light travels
 };
 
@@ -97,7 +98,8 @@ struct Camera
     double farPlane = 0.0; // 0 = infinite
 };
 
-/// A lat-long panorama. Direction (x, y, z) lies at column u = 0.5 + atan2(z, x) / 2 pi, row v = acos(y) / pi (top row +Y).
+/// A lat-long panorama. Direction (x, y, z) lies at column u = 0.5 + atan2(z, x) / 2 pi, row v = acos(y) / pi (top row
+/// +Y).
 struct Environment
 {
     std::string name;

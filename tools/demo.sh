@@ -1,0 +1,30 @@
+#!/usr/bin/env bash
+# From a clone to a picture: installs what is missing, builds, renders the demo scene to demo.png.
+set -euo pipefail
+cd "$(dirname "$0")/.."
+
+phases=()
+phase() { # phase NAME COMMAND...: runs the command and notes how long it took
+    local name=$1 start
+    shift
+    start=$(date +%s%N)
+    "$@"
+    phases+=("$(printf '%-10s %7.1f s' "$name" "$(($(date +%s%N) - start))e-9")")
+}
+
+configure() { cmake --preset release; }
+build() { cmake --build --preset release; }
+render() {
+    local assets=build/release/share/torrance/assets
+    build/release/bin/torrance render "$assets/demo/demo.gltf" --environment "$assets/environments/studio.hdr" \
+        --resolution 1280x960 --samples 16 --output demo.png
+}
+
+phase packages tools/packages.sh
+phase configure configure
+phase build build
+phase render render
+
+echo
+printf '%s\n' "${phases[@]}"
+echo "$PWD/demo.png, $(stat -c %s demo.png) bytes, 1280 x 960 pixels"
