@@ -1,0 +1,18 @@
+// Kinds of option values that CLI11 does not know.
+#pragma once
+
+#include <string>
+#include <vector>
+
+namespace CLI {
+class App;
+class Option;
+} // namespace CLI
+
+namespace torrance {
+
+/// An option that takes one of `known`; another value is refused with the nearest of them.
+CLI::Option* addChoice(CLI::App& app, const std::string& name, std::string& value, std::vector<std::string> known,
+                       const std::string& description);
+
+} // namespace torrance
