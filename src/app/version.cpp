@@ -1,6 +1,6 @@
 #include "app/version.h"
 
-#include "torrance_revision.h"
+#include "app/revision.h"
 
 namespace torrance {
 
