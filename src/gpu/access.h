@@ -1,0 +1,93 @@
+// Barriers derived from what passes say that they read and write. The synchronization validation of 1.3.239 sees no
+// hazard on attachments of dynamic rendering, so nobody writes a barrier by hand: this is the one place.
+#pragma once
+
+#include "gpu/vulkan.h"
+
+#include <cstdint>
+#include <map>
+#include <span>
+#include <vector>
+
+namespace torrance::gpu {
+
+/// One way to use a resource in a pass.
+enum class Access
+{
+    colorAttachment, // loaded, cleared, blended, stored
+    depthAttachment, // tested and written
+    depthTest,       // tested only
+    sampled,         // read in a fragment shader
+    shaderRead,      // uniform or storage buffer, vertex and fragment shaders
+    vertexRead,      // vertex and index buffers
+    transferRead,
+    transferWrite,
+    hostRead, // after the fence
+};
+
+struct AccessState
+{
+    vk::PipelineStageFlags2 stages;
+    vk::AccessFlags2 access;
+    vk::ImageLayout layout; // undefined for buffers
+    bool writes;
+};
+
+AccessState stateOf(Access access);
+
+/// What a pass does with one image or buffer (whole, all mips and layers).
+struct ImageUse
+{
+    vk::Image image;
+    vk::ImageAspectFlags aspect;
+    Access access;
+    bool discard = false; // the old content is not needed: it may be thrown away
+};
+
+struct BufferUse
+{
+    vk::Buffer buffer;
+    Access access;
+};
+
+struct Barriers
+{
+    std::vector<vk::ImageMemoryBarrier2> images;
+    std::vector<vk::BufferMemoryBarrier2> buffers;
+
+    bool empty() const { return images.empty() && buffers.empty(); }
+};
+
+/// Remembers, per resource, the last write and the reads since; says what must be waited for before the next pass.
+/// - read after write: wait for the write, make it visible; later reads in a stage that has seen it wait for nothing;
+/// - write after read: wait for the reads, no memory to make visible;
+/// - write after write: both;
+/// - a change of layout is a write.
+class AccessTracker
+{
+public:
+    Barriers before(std::span<const ImageUse> images, std::span<const BufferUse> buffers);
+
+private:
+    struct History
+    {
+        vk::PipelineStageFlags2 writeStages; // of the last write or change of layout
+        vk::AccessFlags2 writeAccess;
+        vk::PipelineStageFlags2 readStages; // since then
+        vk::PipelineStageFlags2 visibleStages;
+        vk::AccessFlags2 visibleAccess;
+        vk::ImageLayout layout = vk::ImageLayout::eUndefined;
+    };
+    struct Wait
+    {
+        bool needed = false;
+        vk::PipelineStageFlags2 stages;
+        vk::AccessFlags2 access;
+    };
+    static Wait advance(History& history, const AccessState& next, bool changesLayout);
+
+    std::map<VkImage, History> imageHistory;
+    std::map<VkBuffer, History> bufferHistory;
+};
+
+} // namespace torrance::gpu

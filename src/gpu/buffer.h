@@ -1,0 +1,30 @@
+// A buffer with memory of its own, mapped for the host.
+#pragma once
+
+#include "gpu/device.h"
+
+#include <cstddef>
+#include <span>
+#include <string_view>
+
+namespace torrance::gpu {
+
+struct Buffer
+{
+    vk::raii::DeviceMemory memory = nullptr; // before the handle: freed after it
+    vk::raii::Buffer handle = nullptr;
+    vk::DeviceSize size = 0;
+    std::byte* mapped = nullptr; // host-visible and coherent
+};
+
+/// Empty sizes are made 1 byte: Vulkan has no empty buffers, and a binding must hold something.
+Buffer makeBuffer(const Device& device, vk::DeviceSize size, vk::BufferUsageFlags usage, std::string_view name);
+
+/// The same, filled.
+Buffer makeBuffer(const Device& device, std::span<const std::byte> content, vk::BufferUsageFlags usage,
+                  std::string_view name);
+
+/// For what the host reads back: cached memory where there is such.
+Buffer makeReadbackBuffer(const Device& device, vk::DeviceSize size, std::string_view name);
+
+} // namespace torrance::gpu

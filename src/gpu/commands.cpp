@@ -1,0 +1,83 @@
+#include "gpu/commands.h"
+
+#include "core/error.h"
+
+#include <algorithm>
+
+namespace torrance::gpu {
+namespace {
+
+vk::raii::CommandPool makePool(const Device& device)
+{
+    return {device.handle, vk::CommandPoolCreateInfo{.flags = vk::CommandPoolCreateFlagBits::eTransient,
+                                                     .queueFamilyIndex = device.queueFamily}};
+}
+
+vk::raii::CommandBuffer allocateBuffer(const Device& device, const vk::raii::CommandPool& pool)
+{
+    auto buffers = device.handle.allocateCommandBuffers(
+        {.commandPool = *pool, .level = vk::CommandBufferLevel::ePrimary, .commandBufferCount = 1});
+    return std::move(buffers.front());
+}
+
+} // namespace
+
+Commands::Commands(const Device& d) : device(d), pool(makePool(d)), buffer(allocateBuffer(d, pool))
+{
+    d.name(buffer, "frame commands");
+    buffer.begin({.flags = vk::CommandBufferUsageFlagBits::eOneTimeSubmit});
+}
+
+void Commands::use(std::span<const ImageUse> images, std::span<const BufferUse> buffers)
+{
+    const Barriers barriers = tracker.before(images, buffers);
+    if (!barriers.empty())
+        buffer.pipelineBarrier2({.bufferMemoryBarrierCount = static_cast<std::uint32_t>(barriers.buffers.size()),
+                                 .pBufferMemoryBarriers = barriers.buffers.data(),
+                                 .imageMemoryBarrierCount = static_cast<std::uint32_t>(barriers.images.size()),
+                                 .pImageMemoryBarriers = barriers.images.data()});
+}
+
+void Commands::submitAndWait()
+{
+    buffer.end();
+    const vk::raii::Fence fence(device.handle, vk::FenceCreateInfo{});
+    const vk::CommandBufferSubmitInfo commandInfo = {.commandBuffer = *buffer};
+    device.queue.submit2(vk::SubmitInfo2{.commandBufferInfoCount = 1, .pCommandBufferInfos = &commandInfo}, *fence);
+    // A software driver may take minutes for a huge picture: there is no time limit to set here.
+    if (device.handle.waitForFences(*fence, true, UINT64_MAX) != vk::Result::eSuccess)
+        throw Error(ExitCode::deviceFailure, device.description.name + ": the work did not end; choose another device");
+}
+
+ImageUse use(const DeviceImage& image, Access access, bool discard)
+{
+    return {*image.handle, image.aspect(), access, discard};
+}
+
+void copyToImage(Commands& commands, const Buffer& source, const DeviceImage& target, std::size_t bytesPerTexel)
+{
+    std::vector<vk::BufferImageCopy> regions;
+    vk::DeviceSize offset = 0;
+    for (std::uint32_t mip = 0; mip < target.shape.mips; ++mip) {
+        const std::uint32_t width = std::max(target.shape.width >> mip, 1u);
+        const std::uint32_t height = std::max(target.shape.height >> mip, 1u);
+        regions.push_back({.bufferOffset = offset,
+                           .imageSubresource = {target.aspect(), mip, 0, target.shape.layers},
+                           .imageExtent = {width, height, 1}});
+        offset += vk::DeviceSize(width) * height * target.shape.layers * bytesPerTexel;
+    }
+    commands.use({use(target, Access::transferWrite, true)}, {{*source.handle, Access::transferRead}});
+    commands.buffer.copyBufferToImage(*source.handle, *target.handle, vk::ImageLayout::eTransferDstOptimal, regions);
+    commands.use({use(target, Access::sampled)});
+}
+
+void copyToBuffer(Commands& commands, const DeviceImage& source, const Buffer& target)
+{
+    commands.use({use(source, Access::transferRead)}, {{*target.handle, Access::transferWrite}});
+    const vk::BufferImageCopy region = {.imageSubresource = {source.aspect(), 0, 0, 1},
+                                        .imageExtent = {source.shape.width, source.shape.height, 1}};
+    commands.buffer.copyImageToBuffer(*source.handle, vk::ImageLayout::eTransferSrcOptimal, *target.handle, region);
+    commands.use({}, {{*target.handle, Access::hostRead}});
+}
+
+} // namespace torrance::gpu

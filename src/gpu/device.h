@@ -1,0 +1,78 @@
+// A Vulkan 1.3 device with one queue, chosen by name, number or kind.
+#pragma once
+
+#include "gpu/vulkan.h"
+
+#include <memory>
+#include <mutex>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace torrance::gpu {
+
+struct DeviceOptions
+{
+    /// "" = the best (discrete, integrated, virtual, CPU), "cpu" = a software driver, a number of the list, or a part
+    /// of a name.
+    std::string choice;
+    /// Validation and synchronization validation; a missing layer is an Error (noDevice).
+    bool validation = false;
+};
+
+/// What stands in the way of using a device; `missing` is empty for one that can be used.
+struct DeviceDescription
+{
+    std::string name;
+    std::string kind; // "discrete GPU", "integrated GPU", "virtual GPU", "CPU", "other"
+    std::string driver;
+    std::string driverVersion;
+    std::string apiVersion;
+    std::vector<std::string> missing;
+};
+
+/// All devices of this machine, in Vulkan's order. Error (noDevice) where there is no Vulkan loader.
+std::vector<DeviceDescription> listDevices();
+
+/// Messages of the validation layer, collected from whatever thread they come.
+struct ValidationLog
+{
+    std::mutex mutex;
+    std::vector<std::string> messages;
+};
+
+class Device
+{
+public:
+    explicit Device(const DeviceOptions& options);
+
+    /// Gives a Vulkan object the name that validation messages and debuggers show.
+    template <typename Handle>
+    void name(const Handle& object, std::string_view text) const
+    {
+        nameObject(Handle::objectType, reinterpret_cast<std::uint64_t>(static_cast<typename Handle::CType>(*object)),
+                   text);
+    }
+
+    std::vector<std::string> validationMessages() const;
+    std::uint32_t memoryType(std::uint32_t allowedTypes, vk::MemoryPropertyFlags wanted,
+                             vk::MemoryPropertyFlags preferred) const;
+
+    // In order of creation; destroyed in reverse.
+    std::unique_ptr<ValidationLog> validationLog;
+    vk::raii::Context context;
+    vk::raii::Instance instance;
+    vk::raii::DebugUtilsMessengerEXT messenger;
+    vk::raii::PhysicalDevice physical;
+    std::uint32_t queueFamily;
+    vk::raii::Device handle;
+    vk::raii::Queue queue;
+    vk::PhysicalDeviceMemoryProperties memory;
+    vk::PhysicalDeviceLimits limits;
+    DeviceDescription description;
+
+private:
+    void nameObject(vk::ObjectType type, std::uint64_t object, std::string_view text) const;
+};
+
+} // namespace torrance::gpu

@@ -1,0 +1,116 @@
+#include "gpu/device_requirements.h"
+
+#include <algorithm>
+#include <array>
+
+namespace torrance::gpu {
+namespace {
+
+// One push-descriptor set per pass: bindings are written into the command buffer, no pools to manage.
+constexpr std::array kExtensions = {VK_KHR_PUSH_DESCRIPTOR_EXTENSION_NAME};
+
+using FeatureChain = vk::StructureChain<vk::PhysicalDeviceFeatures2, vk::PhysicalDeviceVulkan12Features,
+                                        vk::PhysicalDeviceVulkan13Features>;
+
+std::string versionText(std::uint32_t version)
+{
+    return std::to_string(VK_API_VERSION_MAJOR(version)) + "." + std::to_string(VK_API_VERSION_MINOR(version)) + "." +
+           std::to_string(VK_API_VERSION_PATCH(version));
+}
+
+std::string kindName(vk::PhysicalDeviceType kind)
+{
+    switch (kind) {
+    case vk::PhysicalDeviceType::eDiscreteGpu:
+        return "discrete GPU";
+    case vk::PhysicalDeviceType::eIntegratedGpu:
+        return "integrated GPU";
+    case vk::PhysicalDeviceType::eVirtualGpu:
+        return "virtual GPU";
+    case vk::PhysicalDeviceType::eCpu:
+        return "CPU";
+    default:
+        return "other";
+    }
+}
+
+bool filtersFloat32(const vk::raii::PhysicalDevice& physical)
+{
+    const auto features = physical.getFormatProperties(vk::Format::eR32G32B32A32Sfloat).optimalTilingFeatures;
+    return bool(features & vk::FormatFeatureFlagBits::eSampledImageFilterLinear);
+}
+
+bool blendsFloat32(const vk::raii::PhysicalDevice& physical)
+{
+    const auto features = physical.getFormatProperties(vk::Format::eR32G32B32A32Sfloat).optimalTilingFeatures;
+    return bool(features & vk::FormatFeatureFlagBits::eColorAttachmentBlend);
+}
+
+std::vector<std::string> missingParts(const vk::raii::PhysicalDevice& physical)
+{
+    std::vector<std::string> missing;
+    if (physical.getProperties().apiVersion < VK_API_VERSION_1_3)
+        return {"Vulkan 1.3"}; // the features below cannot be asked for
+    const auto chain = physical.getFeatures2<vk::PhysicalDeviceFeatures2, vk::PhysicalDeviceVulkan12Features,
+                                             vk::PhysicalDeviceVulkan13Features>();
+    const auto need = [&](bool has, const char* what) {
+        if (!has)
+            missing.emplace_back(what);
+    };
+    need(chain.get<vk::PhysicalDeviceVulkan12Features>().scalarBlockLayout, "scalarBlockLayout");
+    need(chain.get<vk::PhysicalDeviceVulkan13Features>().dynamicRendering, "dynamicRendering");
+    need(chain.get<vk::PhysicalDeviceVulkan13Features>().synchronization2, "synchronization2");
+    need(filtersFloat32(physical), "linear filtering of R32G32B32A32_SFLOAT");
+    need(blendsFloat32(physical), "blending of R32G32B32A32_SFLOAT");
+    need(graphicsQueueFamily(physical).has_value(), "a graphics queue");
+    const auto available = physical.enumerateDeviceExtensionProperties();
+    for (const char* extension : kExtensions)
+        need(std::ranges::any_of(available,
+                                 [&](const auto& e) { return std::string_view(e.extensionName) == extension; }),
+             extension);
+    return missing;
+}
+
+} // namespace
+
+DeviceDescription describe(const vk::raii::PhysicalDevice& physical)
+{
+    const auto chain = physical.getProperties2<vk::PhysicalDeviceProperties2, vk::PhysicalDeviceDriverProperties>();
+    const auto& properties = chain.get<vk::PhysicalDeviceProperties2>().properties;
+    const auto& driver = chain.get<vk::PhysicalDeviceDriverProperties>();
+    return {.name = properties.deviceName,
+            .kind = kindName(properties.deviceType),
+            .driver = driver.driverName,
+            .driverVersion = driver.driverInfo,
+            .apiVersion = versionText(properties.apiVersion),
+            .missing = missingParts(physical)};
+}
+
+std::optional<std::uint32_t> graphicsQueueFamily(const vk::raii::PhysicalDevice& physical)
+{
+    const auto families = physical.getQueueFamilyProperties();
+    for (std::uint32_t i = 0; i < families.size(); ++i)
+        if (families[i].queueFlags & vk::QueueFlagBits::eGraphics)
+            return i;
+    return std::nullopt;
+}
+
+vk::raii::Device makeDevice(const vk::raii::PhysicalDevice& physical, std::uint32_t queueFamily)
+{
+    const float priority = 1.0f;
+    const vk::DeviceQueueCreateInfo queueInfo = {
+        .queueFamilyIndex = queueFamily, .queueCount = 1, .pQueuePriorities = &priority};
+    const FeatureChain features = {
+        vk::PhysicalDeviceFeatures2{},
+        vk::PhysicalDeviceVulkan12Features{.scalarBlockLayout = true},
+        vk::PhysicalDeviceVulkan13Features{.synchronization2 = true, .dynamicRendering = true},
+    };
+    const vk::DeviceCreateInfo info = {.pNext = &features.get<vk::PhysicalDeviceFeatures2>(),
+                                       .queueCreateInfoCount = 1,
+                                       .pQueueCreateInfos = &queueInfo,
+                                       .enabledExtensionCount = kExtensions.size(),
+                                       .ppEnabledExtensionNames = kExtensions.data()};
+    return vk::raii::Device(physical, info);
+}
+
+} // namespace torrance::gpu

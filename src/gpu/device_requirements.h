@@ -1,0 +1,14 @@
+// What Torrance asks of a Vulkan device, in one list, and how a device with it is made.
+#pragma once
+
+#include "gpu/device.h"
+
+#include <optional>
+
+namespace torrance::gpu {
+
+DeviceDescription describe(const vk::raii::PhysicalDevice& physical);
+std::optional<std::uint32_t> graphicsQueueFamily(const vk::raii::PhysicalDevice& physical);
+vk::raii::Device makeDevice(const vk::raii::PhysicalDevice& physical, std::uint32_t queueFamily);
+
+} // namespace torrance::gpu

@@ -1,0 +1,42 @@
+#include "gpu/driver_environment.h"
+
+#include "core/content_hash.h"
+
+#include <cstdlib>
+#include <fstream>
+#include <string>
+
+namespace torrance::gpu {
+namespace {
+
+// The processor's instruction sets decide the width of the code that the driver makes.
+std::string processorType()
+{
+    std::ifstream info("/proc/cpuinfo");
+    std::string line, text;
+    while (std::getline(info, line) && !line.empty()) // the first processor's lines
+        if (line.starts_with("flags") || line.starts_with("Features") || line.starts_with("vendor_id"))
+            text += line;
+    if (const char* width = std::getenv("LP_NATIVE_VECTOR_WIDTH"))
+        text += width;
+    return hashText(text).hex().substr(0, 16);
+}
+
+} // namespace
+
+void prepareDriverEnvironment(const std::filesystem::path& cacheFolder)
+{
+    constexpr int kKeepTheUsers = 0;
+    setenv("GALLIVM_PERF", "no_aos_sampling", kKeepTheUsers);
+    if (cacheFolder.empty()) {
+        setenv("MESA_SHADER_CACHE_DISABLE", "true", kKeepTheUsers);
+        return;
+    }
+    const std::filesystem::path folder = cacheFolder / ("mesa-" + processorType());
+    std::error_code failure;
+    std::filesystem::create_directories(folder, failure); // Mesa makes no parents
+    if (!failure)
+        setenv("MESA_SHADER_CACHE_DIR", folder.c_str(), kKeepTheUsers);
+}
+
+} // namespace torrance::gpu

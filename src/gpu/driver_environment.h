@@ -1,0 +1,16 @@
+// What software drivers read from the environment when an instance is made.
+#pragma once
+
+#include <filesystem>
+
+namespace torrance::gpu {
+
+/// Sets, unless the user has set them:
+/// - GALLIVM_PERF=no_aos_sampling: lavapipe then filters 8-bit textures in float instead of 8-bit fixed point;
+/// - MESA_SHADER_CACHE_DIR: a folder of its own per processor type below `cacheFolder`. Mesa's key holds the driver's
+///   build but not the vector width, and code of another width ends the process (rc 134);
+/// - with an empty `cacheFolder`, MESA_SHADER_CACHE_DISABLE=true.
+/// To be called before threads are started, before the first Device.
+void prepareDriverEnvironment(const std::filesystem::path& cacheFolder);
+
+} // namespace torrance::gpu

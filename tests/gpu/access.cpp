@@ -1,0 +1,105 @@
+#include "gpu/access.h"
+
+#include <array>
+#include <gtest/gtest.h>
+
+// The rules are those of the Vulkan specification's synchronization chapter: a read after a write needs an execution
+// and a memory dependency, a write after a read an execution dependency only, a change of layout is a write.
+namespace torrance::gpu {
+namespace {
+
+using Stage = vk::PipelineStageFlagBits2;
+using Bit = vk::AccessFlagBits2;
+
+const vk::Image kImage(reinterpret_cast<VkImage>(1));
+const vk::Buffer kBuffer(reinterpret_cast<VkBuffer>(2));
+
+Barriers next(AccessTracker& tracker, Access access, bool discard = false)
+{
+    const std::array use = {ImageUse{kImage, vk::ImageAspectFlagBits::eColor, access, discard}};
+    return tracker.before(use, {});
+}
+
+Barriers nextBuffer(AccessTracker& tracker, Access access)
+{
+    const std::array use = {BufferUse{kBuffer, access}};
+    return tracker.before({}, use);
+}
+
+TEST(Access, AttachmentThenSampledWaitsForTheWriteAndMakesItVisible)
+{
+    AccessTracker tracker;
+    next(tracker, Access::colorAttachment, true);
+    const Barriers barriers = next(tracker, Access::sampled);
+    ASSERT_EQ(barriers.images.size(), 1u);
+    const auto& barrier = barriers.images[0];
+    EXPECT_EQ(barrier.srcStageMask, Stage::eColorAttachmentOutput);
+    EXPECT_TRUE(barrier.srcAccessMask & Bit::eColorAttachmentWrite);
+    EXPECT_EQ(barrier.dstStageMask, Stage::eFragmentShader);
+    EXPECT_EQ(barrier.dstAccessMask, Bit::eShaderSampledRead);
+    EXPECT_EQ(barrier.oldLayout, vk::ImageLayout::eColorAttachmentOptimal);
+    EXPECT_EQ(barrier.newLayout, vk::ImageLayout::eShaderReadOnlyOptimal);
+}
+
+TEST(Access, AttachmentThenAttachmentIsAHazardToo)
+{
+    AccessTracker tracker;
+    next(tracker, Access::colorAttachment, true);
+    const Barriers barriers = next(tracker, Access::colorAttachment);
+    ASSERT_EQ(barriers.images.size(), 1u) << "two passes that write one attachment are ordered";
+    EXPECT_EQ(barriers.images[0].oldLayout, barriers.images[0].newLayout);
+}
+
+TEST(Access, SecondReadInAStageThatHasSeenTheWriteWaitsForNothing)
+{
+    AccessTracker tracker;
+    next(tracker, Access::transferWrite, true);
+    EXPECT_FALSE(next(tracker, Access::sampled).empty());
+    EXPECT_TRUE(next(tracker, Access::sampled).empty());
+}
+
+TEST(Access, WriteAfterReadWaitsForTheReadOnly)
+{
+    AccessTracker tracker;
+    nextBuffer(tracker, Access::transferRead);
+    const Barriers barriers = nextBuffer(tracker, Access::transferWrite);
+    ASSERT_EQ(barriers.buffers.size(), 1u);
+    EXPECT_EQ(barriers.buffers[0].srcStageMask, Stage::eCopy);
+    EXPECT_EQ(barriers.buffers[0].srcAccessMask, vk::AccessFlags2{}) << "a read leaves nothing to make visible";
+}
+
+TEST(Access, DiscardForgetsTheOldContentButStillWaits)
+{
+    AccessTracker tracker;
+    next(tracker, Access::colorAttachment, true);
+    next(tracker, Access::transferRead);
+    const Barriers barriers = next(tracker, Access::colorAttachment, true);
+    ASSERT_EQ(barriers.images.size(), 1u);
+    EXPECT_EQ(barriers.images[0].oldLayout, vk::ImageLayout::eUndefined);
+    EXPECT_TRUE(barriers.images[0].srcStageMask & Stage::eCopy) << "the copy may still be reading";
+}
+
+TEST(Access, EveryReaderWaitsForTheWriteItself)
+{
+    AccessTracker tracker;
+    nextBuffer(tracker, Access::transferWrite);
+    ASSERT_EQ(nextBuffer(tracker, Access::shaderRead).buffers.size(), 1u);
+    const Barriers barriers = nextBuffer(tracker, Access::hostRead);
+    ASSERT_EQ(barriers.buffers.size(), 1u);
+    EXPECT_EQ(barriers.buffers[0].srcStageMask, Stage::eCopy);
+    EXPECT_EQ(barriers.buffers[0].dstStageMask, Stage::eHost);
+}
+
+TEST(Access, DepthTestAfterDepthWriteIsOrdered)
+{
+    AccessTracker tracker;
+    const std::array write = {ImageUse{kImage, vk::ImageAspectFlagBits::eDepth, Access::depthAttachment, true}};
+    const std::array test = {ImageUse{kImage, vk::ImageAspectFlagBits::eDepth, Access::depthTest}};
+    tracker.before(write, {});
+    const Barriers barriers = tracker.before(test, {});
+    ASSERT_EQ(barriers.images.size(), 1u);
+    EXPECT_EQ(barriers.images[0].newLayout, vk::ImageLayout::eDepthStencilReadOnlyOptimal);
+}
+
+} // namespace
+} // namespace torrance::gpu

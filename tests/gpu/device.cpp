@@ -1,0 +1,38 @@
+#include "gpu/device.h"
+
+#include "core/error.h"
+#include "test_device.h"
+
+#include <gtest/gtest.h>
+
+namespace torrance {
+namespace {
+
+TEST(Device, IsDescribedAndUsable)
+{
+    EXPECT_FALSE(test::device().description.name.empty());
+    EXPECT_TRUE(test::device().description.missing.empty());
+}
+
+TEST(Device, ValidationSeesADeliberateMistake)
+{
+    // A device of its own: this message is wanted.
+    const gpu::Device device({.choice = "cpu", .validation = true});
+    const vk::BufferCreateInfo noUsage = {.size = 16};
+    const vk::raii::Buffer buffer(device.handle, noUsage);
+    EXPECT_FALSE(device.validationMessages().empty());
+}
+
+TEST(Device, AnUnknownNameIsSaidWithItsExitCode)
+{
+    try {
+        const gpu::Device device({.choice = "no such device", .validation = false});
+        FAIL();
+    } catch (const Error& error) {
+        EXPECT_EQ(error.exitCode, ExitCode::noDevice);
+        EXPECT_NE(std::string(error.what()).find("no such device"), std::string::npos);
+    }
+}
+
+} // namespace
+} // namespace torrance
