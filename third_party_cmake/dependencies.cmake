@@ -21,8 +21,9 @@ pkg_check_modules(xxhash REQUIRED IMPORTED_TARGET libxxhash>=0.8) # debian: libx
 find_package(TinyGLTFHeader 2.7 REQUIRED)                     # debian: libtinygltf-dev
 find_package(PNG 1.6 REQUIRED)                                # debian: libpng-dev
 find_package(libjpeg-turbo 2.1 REQUIRED)                      # debian: libturbojpeg0-dev libjpeg62-turbo-dev
-# QUIET: its configuration warns of a Python module that Debian packs apart.
-find_package(OpenEXR 3.1 CONFIG QUIET REQUIRED)               # debian: libopenexr-dev
+set(CMAKE_MESSAGE_LOG_LEVEL WARNING)                          # its configuration notes a Python module that Debian packs apart
+find_package(OpenEXR 3.1 CONFIG REQUIRED)                     # debian: libopenexr-dev
+unset(CMAKE_MESSAGE_LOG_LEVEL)
 pkg_check_modules(libwebp REQUIRED IMPORTED_TARGET libwebp>=1.2) # debian: libwebp-dev
 
 # Rays on the processor

@@ -1,0 +1,27 @@
+// Makes what the project ships: the demo scene and three environments. The same program writes the same bytes each
+// time.
+#include "core/error.h"
+#include "core/log.h"
+#include "make_assets/environments.h"
+
+#include <exception>
+#include <filesystem>
+
+int main(int argc, char** argv)
+{
+    if (argc != 2) {
+        torrance::logError("usage: make_assets FOLDER");
+        return static_cast<int>(torrance::ExitCode::usage);
+    }
+    try {
+        const std::filesystem::path folder = argv[1];
+        torrance::assets::writeEnvironments(folder / "environments");
+    } catch (const torrance::Error& error) {
+        torrance::logError(error.what());
+        return static_cast<int>(error.exitCode);
+    } catch (const std::exception& error) {
+        torrance::logError(error.what());
+        return static_cast<int>(torrance::ExitCode::cannotWrite);
+    }
+    return 0;
+}
