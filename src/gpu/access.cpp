@@ -36,7 +36,16 @@ AccessState stateOf(Access access)
     return {};
 }
 
-AccessTracker::Wait AccessTracker::advance(History& history, const AccessState& next, bool changesLayout)
+namespace {
+
+struct Wait
+{
+    bool needed = false;
+    vk::PipelineStageFlags2 stages;
+    vk::AccessFlags2 access;
+};
+
+Wait advance(AccessHistory& history, const AccessState& next, bool changesLayout)
 {
     Wait wait;
     if (next.writes || changesLayout) {
@@ -65,12 +74,14 @@ AccessTracker::Wait AccessTracker::advance(History& history, const AccessState& 
     return wait;
 }
 
-Barriers AccessTracker::before(std::span<const ImageUse> images, std::span<const BufferUse> buffers)
+} // namespace
+
+Barriers barriersBefore(std::span<const ImageUse> images, std::span<const BufferUse> buffers)
 {
     Barriers barriers;
     for (const ImageUse& use : images) {
         const AccessState next = stateOf(use.access);
-        History& history = imageHistory[use.image];
+        AccessHistory& history = *use.history;
         const Layout oldLayout = history.layout;
         const Wait wait = advance(history, next, oldLayout != next.layout);
         history.layout = next.layout;
@@ -90,7 +101,7 @@ Barriers AccessTracker::before(std::span<const ImageUse> images, std::span<const
     }
     for (const BufferUse& use : buffers) {
         const AccessState next = stateOf(use.access);
-        const Wait wait = advance(bufferHistory[use.buffer], next, false);
+        const Wait wait = advance(*use.history, next, false);
         if (!wait.needed)
             continue;
         barriers.buffers.push_back({.srcStageMask = wait.stages,

@@ -4,8 +4,6 @@
 
 #include "gpu/vulkan.h"
 
-#include <cstdint>
-#include <map>
 #include <span>
 #include <vector>
 
@@ -35,11 +33,24 @@ struct AccessState
 
 AccessState stateOf(Access access);
 
+/// What has been done with a resource: the last write and the reads since. Lives and dies with the resource, so that a
+/// handle used again by the driver starts anew.
+struct AccessHistory
+{
+    vk::PipelineStageFlags2 writeStages; // of the last write or change of layout
+    vk::AccessFlags2 writeAccess;
+    vk::PipelineStageFlags2 readStages; // since then
+    vk::PipelineStageFlags2 visibleStages;
+    vk::AccessFlags2 visibleAccess;
+    vk::ImageLayout layout = vk::ImageLayout::eUndefined;
+};
+
 /// What a pass does with one image or buffer (whole, all mips and layers).
 struct ImageUse
 {
     vk::Image image;
     vk::ImageAspectFlags aspect;
+    AccessHistory* history;
     Access access;
     bool discard = false; // the old content is not needed: it may be thrown away
 };
@@ -47,6 +58,7 @@ struct ImageUse
 struct BufferUse
 {
     vk::Buffer buffer;
+    AccessHistory* history;
     Access access;
 };
 
@@ -58,36 +70,11 @@ struct Barriers
     bool empty() const { return images.empty() && buffers.empty(); }
 };
 
-/// Remembers, per resource, the last write and the reads since; says what must be waited for before the next pass.
+/// What must be waited for before the uses, which are then noted in the histories.
 /// - read after write: wait for the write, make it visible; later reads in a stage that has seen it wait for nothing;
 /// - write after read: wait for the reads, no memory to make visible;
 /// - write after write: both;
 /// - a change of layout is a write.
-class AccessTracker
-{
-public:
-    Barriers before(std::span<const ImageUse> images, std::span<const BufferUse> buffers);
-
-private:
-    struct History
-    {
-        vk::PipelineStageFlags2 writeStages; // of the last write or change of layout
-        vk::AccessFlags2 writeAccess;
-        vk::PipelineStageFlags2 readStages; // since then
-        vk::PipelineStageFlags2 visibleStages;
-        vk::AccessFlags2 visibleAccess;
-        vk::ImageLayout layout = vk::ImageLayout::eUndefined;
-    };
-    struct Wait
-    {
-        bool needed = false;
-        vk::PipelineStageFlags2 stages;
-        vk::AccessFlags2 access;
-    };
-    static Wait advance(History& history, const AccessState& next, bool changesLayout);
-
-    std::map<VkImage, History> imageHistory;
-    std::map<VkBuffer, History> bufferHistory;
-};
+Barriers barriersBefore(std::span<const ImageUse> images, std::span<const BufferUse> buffers);
 
 } // namespace torrance::gpu

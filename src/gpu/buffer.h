@@ -1,6 +1,7 @@
 // A buffer with memory of its own, mapped for the host.
 #pragma once
 
+#include "gpu/access.h"
 #include "gpu/device.h"
 
 #include <cstddef>
@@ -14,7 +15,8 @@ struct Buffer
     vk::raii::DeviceMemory memory = nullptr; // before the handle: freed after it
     vk::raii::Buffer handle = nullptr;
     vk::DeviceSize size = 0;
-    std::byte* mapped = nullptr; // host-visible and coherent
+    std::byte* mapped = nullptr;   // host-visible and coherent
+    mutable AccessHistory history; // noted by Commands, also for who only reads
 };
 
 /// Empty sizes are made 1 byte: Vulkan has no empty buffers, and a binding must hold something.

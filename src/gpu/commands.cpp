@@ -30,7 +30,7 @@ Commands::Commands(const Device& d) : device(d), pool(makePool(d)), buffer(alloc
 
 void Commands::use(std::span<const ImageUse> images, std::span<const BufferUse> buffers)
 {
-    const Barriers barriers = tracker.before(images, buffers);
+    const Barriers barriers = barriersBefore(images, buffers);
     if (!barriers.empty())
         buffer.pipelineBarrier2({.bufferMemoryBarrierCount = static_cast<std::uint32_t>(barriers.buffers.size()),
                                  .pBufferMemoryBarriers = barriers.buffers.data(),
@@ -51,7 +51,12 @@ void Commands::submitAndWait()
 
 ImageUse use(const DeviceImage& image, Access access, bool discard)
 {
-    return {*image.handle, image.aspect(), access, discard};
+    return {*image.handle, image.aspect(), &image.history, access, discard};
+}
+
+BufferUse use(const Buffer& buffer, Access access)
+{
+    return {*buffer.handle, &buffer.history, access};
 }
 
 void copyToImage(Commands& commands, const Buffer& source, const DeviceImage& target, std::size_t bytesPerTexel)
@@ -66,18 +71,18 @@ void copyToImage(Commands& commands, const Buffer& source, const DeviceImage& ta
                            .imageExtent = {width, height, 1}});
         offset += vk::DeviceSize(width) * height * target.shape.layers * bytesPerTexel;
     }
-    commands.use({use(target, Access::transferWrite, true)}, {{*source.handle, Access::transferRead}});
+    commands.use({use(target, Access::transferWrite, true)}, {use(source, Access::transferRead)});
     commands.buffer.copyBufferToImage(*source.handle, *target.handle, vk::ImageLayout::eTransferDstOptimal, regions);
     commands.use({use(target, Access::sampled)});
 }
 
 void copyToBuffer(Commands& commands, const DeviceImage& source, const Buffer& target)
 {
-    commands.use({use(source, Access::transferRead)}, {{*target.handle, Access::transferWrite}});
+    commands.use({use(source, Access::transferRead)}, {use(target, Access::transferWrite)});
     const vk::BufferImageCopy region = {.imageSubresource = {source.aspect(), 0, 0, 1},
                                         .imageExtent = {source.shape.width, source.shape.height, 1}};
     commands.buffer.copyImageToBuffer(*source.handle, vk::ImageLayout::eTransferSrcOptimal, *target.handle, region);
-    commands.use({}, {{*target.handle, Access::hostRead}});
+    commands.use({}, {use(target, Access::hostRead)});
 }
 
 } // namespace torrance::gpu

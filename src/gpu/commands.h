@@ -34,12 +34,10 @@ private:
 
 public:
     vk::raii::CommandBuffer buffer;
-
-private:
-    AccessTracker tracker;
 };
 
 ImageUse use(const DeviceImage& image, Access access, bool discard = false);
+BufferUse use(const Buffer& buffer, Access access);
 
 /// Copies tightly packed texels from a buffer into every (layer, mip) in the order mip-major: all layers of mip 0, then
 /// mip 1 ... Leaves the image as `sampled`.

@@ -1,6 +1,7 @@
 // An image with memory of its own and one view of all of it.
 #pragma once
 
+#include "gpu/access.h"
 #include "gpu/device.h"
 
 #include <cstdint>
@@ -26,6 +27,7 @@ struct DeviceImage
     vk::raii::Image handle = nullptr;
     vk::raii::ImageView view = nullptr;
     ImageShape shape;
+    mutable AccessHistory history; // noted by Commands, also for who only reads
 
     vk::ImageAspectFlags aspect() const;
 };

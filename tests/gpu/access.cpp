@@ -14,23 +14,23 @@ using Bit = vk::AccessFlagBits2;
 const vk::Image kImage(reinterpret_cast<VkImage>(1));
 const vk::Buffer kBuffer(reinterpret_cast<VkBuffer>(2));
 
-Barriers next(AccessTracker& tracker, Access access, bool discard = false)
+Barriers next(AccessHistory& history, Access access, bool discard = false)
 {
-    const std::array use = {ImageUse{kImage, vk::ImageAspectFlagBits::eColor, access, discard}};
-    return tracker.before(use, {});
+    const std::array use = {ImageUse{kImage, vk::ImageAspectFlagBits::eColor, &history, access, discard}};
+    return barriersBefore(use, {});
 }
 
-Barriers nextBuffer(AccessTracker& tracker, Access access)
+Barriers nextBuffer(AccessHistory& history, Access access)
 {
-    const std::array use = {BufferUse{kBuffer, access}};
-    return tracker.before({}, use);
+    const std::array use = {BufferUse{kBuffer, &history, access}};
+    return barriersBefore({}, use);
 }
 
 TEST(Access, AttachmentThenSampledWaitsForTheWriteAndMakesItVisible)
 {
-    AccessTracker tracker;
-    next(tracker, Access::colorAttachment, true);
-    const Barriers barriers = next(tracker, Access::sampled);
+    AccessHistory history;
+    next(history, Access::colorAttachment, true);
+    const Barriers barriers = next(history, Access::sampled);
     ASSERT_EQ(barriers.images.size(), 1u);
     const auto& barrier = barriers.images[0];
     EXPECT_EQ(barrier.srcStageMask, Stage::eColorAttachmentOutput);
@@ -43,26 +43,26 @@ TEST(Access, AttachmentThenSampledWaitsForTheWriteAndMakesItVisible)
 
 TEST(Access, AttachmentThenAttachmentIsAHazardToo)
 {
-    AccessTracker tracker;
-    next(tracker, Access::colorAttachment, true);
-    const Barriers barriers = next(tracker, Access::colorAttachment);
+    AccessHistory history;
+    next(history, Access::colorAttachment, true);
+    const Barriers barriers = next(history, Access::colorAttachment);
     ASSERT_EQ(barriers.images.size(), 1u) << "two passes that write one attachment are ordered";
     EXPECT_EQ(barriers.images[0].oldLayout, barriers.images[0].newLayout);
 }
 
 TEST(Access, SecondReadInAStageThatHasSeenTheWriteWaitsForNothing)
 {
-    AccessTracker tracker;
-    next(tracker, Access::transferWrite, true);
-    EXPECT_FALSE(next(tracker, Access::sampled).empty());
-    EXPECT_TRUE(next(tracker, Access::sampled).empty());
+    AccessHistory history;
+    next(history, Access::transferWrite, true);
+    EXPECT_FALSE(next(history, Access::sampled).empty());
+    EXPECT_TRUE(next(history, Access::sampled).empty());
 }
 
 TEST(Access, WriteAfterReadWaitsForTheReadOnly)
 {
-    AccessTracker tracker;
-    nextBuffer(tracker, Access::transferRead);
-    const Barriers barriers = nextBuffer(tracker, Access::transferWrite);
+    AccessHistory history;
+    nextBuffer(history, Access::transferRead);
+    const Barriers barriers = nextBuffer(history, Access::transferWrite);
     ASSERT_EQ(barriers.buffers.size(), 1u);
     EXPECT_EQ(barriers.buffers[0].srcStageMask, Stage::eCopy);
     EXPECT_EQ(barriers.buffers[0].srcAccessMask, vk::AccessFlags2{}) << "a read leaves nothing to make visible";
@@ -70,10 +70,10 @@ TEST(Access, WriteAfterReadWaitsForTheReadOnly)
 
 TEST(Access, DiscardForgetsTheOldContentButStillWaits)
 {
-    AccessTracker tracker;
-    next(tracker, Access::colorAttachment, true);
-    next(tracker, Access::transferRead);
-    const Barriers barriers = next(tracker, Access::colorAttachment, true);
+    AccessHistory history;
+    next(history, Access::colorAttachment, true);
+    next(history, Access::transferRead);
+    const Barriers barriers = next(history, Access::colorAttachment, true);
     ASSERT_EQ(barriers.images.size(), 1u);
     EXPECT_EQ(barriers.images[0].oldLayout, vk::ImageLayout::eUndefined);
     EXPECT_TRUE(barriers.images[0].srcStageMask & Stage::eCopy) << "the copy may still be reading";
@@ -81,10 +81,10 @@ TEST(Access, DiscardForgetsTheOldContentButStillWaits)
 
 TEST(Access, EveryReaderWaitsForTheWriteItself)
 {
-    AccessTracker tracker;
-    nextBuffer(tracker, Access::transferWrite);
-    ASSERT_EQ(nextBuffer(tracker, Access::shaderRead).buffers.size(), 1u);
-    const Barriers barriers = nextBuffer(tracker, Access::hostRead);
+    AccessHistory history;
+    nextBuffer(history, Access::transferWrite);
+    ASSERT_EQ(nextBuffer(history, Access::shaderRead).buffers.size(), 1u);
+    const Barriers barriers = nextBuffer(history, Access::hostRead);
     ASSERT_EQ(barriers.buffers.size(), 1u);
     EXPECT_EQ(barriers.buffers[0].srcStageMask, Stage::eCopy);
     EXPECT_EQ(barriers.buffers[0].dstStageMask, Stage::eHost);
@@ -92,11 +92,12 @@ TEST(Access, EveryReaderWaitsForTheWriteItself)
 
 TEST(Access, DepthTestAfterDepthWriteIsOrdered)
 {
-    AccessTracker tracker;
-    const std::array write = {ImageUse{kImage, vk::ImageAspectFlagBits::eDepth, Access::depthAttachment, true}};
-    const std::array test = {ImageUse{kImage, vk::ImageAspectFlagBits::eDepth, Access::depthTest}};
-    tracker.before(write, {});
-    const Barriers barriers = tracker.before(test, {});
+    AccessHistory history;
+    const std::array write = {
+        ImageUse{kImage, vk::ImageAspectFlagBits::eDepth, &history, Access::depthAttachment, true}};
+    const std::array test = {ImageUse{kImage, vk::ImageAspectFlagBits::eDepth, &history, Access::depthTest}};
+    barriersBefore(write, {});
+    const Barriers barriers = barriersBefore(test, {});
     ASSERT_EQ(barriers.images.size(), 1u);
     EXPECT_EQ(barriers.images[0].newLayout, vk::ImageLayout::eDepthStencilReadOnlyOptimal);
 }
