@@ -1,0 +1,229 @@
+#include "reference/ray_caster.h"
+
+#include "reference/analytic_shape.h"
+
+#include <cmath>
+#include <embree3/rtcore.h>
+#include <limits>
+#include <stdexcept>
+#include <string>
+
+namespace torrance {
+namespace {
+
+struct ReleaseDevice
+{
+    void operator()(RTCDevice device) const { rtcReleaseDevice(device); }
+};
+struct ReleaseScene
+{
+    void operator()(RTCScene rays) const { rtcReleaseScene(rays); }
+};
+struct ReleaseGeometry
+{
+    void operator()(RTCGeometry geometry) const { rtcReleaseGeometry(geometry); }
+};
+using GeometryPointer = std::unique_ptr<RTCGeometryTy, ReleaseGeometry>;
+using DevicePointer = std::unique_ptr<RTCDeviceTy, ReleaseDevice>;
+using ScenePointer = std::unique_ptr<RTCSceneTy, ReleaseScene>;
+
+/// Moller and Trumbore 1997 in double, on the whole plane of the triangle: which triangle is met was decided before.
+/// None where the ray lies in the plane.
+std::optional<Hit> meetTriangle(const std::array<dvec3, 3>& corners, const Ray& ray)
+{
+    const dvec3 e1 = corners[1] - corners[0];
+    const dvec3 e2 = corners[2] - corners[0];
+    const dvec3 p = glm::cross(ray.direction, e2);
+    const double determinant = glm::dot(e1, p);
+    if (determinant == 0.0 || !std::isfinite(determinant))
+        return std::nullopt;
+    const dvec3 s = ray.origin - corners[0];
+    const dvec3 q = glm::cross(s, e1);
+    const double u = glm::dot(s, p) / determinant;
+    const double v = glm::dot(ray.direction, q) / determinant;
+    Hit hit;
+    hit.barycentric = dvec3(1.0 - u - v, u, v);
+    hit.distance = glm::dot(e2, q) / determinant;
+    hit.front = determinant > 0.0;
+    return hit;
+}
+
+/// What Embree's filter needs to judge a hit; the context comes first because Embree hands back a pointer to it.
+struct Query
+{
+    RTCIntersectContext context;
+    const RayCaster* caster;
+    const Ray* ray;
+    double beyond;
+    const RayCaster::Accept* accept;
+};
+
+std::optional<Hit> judgedHit(const Query& query, int instance, int triangle)
+{
+    const Scene& scene = query.caster->scene();
+    std::optional<Hit> hit =
+        meetTriangle(triangleCorners(scene, instance, triangle, query.caster->origin()), *query.ray);
+    if (!hit || !(hit->distance > query.beyond))
+        return std::nullopt;
+    hit->instance = instance;
+    hit->triangle = triangle;
+    if (glm::determinant(dmat3(scene.instances[static_cast<std::size_t>(instance)].worldFromObject)) < 0.0)
+        hit->front = !hit->front;
+    if (!hit->front && !materialOf(scene, materialIndexOf(scene, *hit)).doubleSided)
+        return std::nullopt;
+    if (*query.accept && !(*query.accept)(*hit))
+        return std::nullopt;
+    return hit;
+}
+
+void filterHit(const RTCFilterFunctionNArguments* arguments)
+{
+    const Query& query = *reinterpret_cast<const Query*>(arguments->context);
+    for (unsigned int i = 0; i < arguments->N; ++i)
+        if (arguments->valid[i] != 0 &&
+            !judgedHit(query, static_cast<int>(RTCHitN_geomID(arguments->hit, arguments->N, i)),
+                       static_cast<int>(RTCHitN_primID(arguments->hit, arguments->N, i))))
+            arguments->valid[i] = 0;
+}
+
+template <typename T>
+T* newBuffer(RTCGeometry geometry, RTCBufferType type, RTCFormat format, std::size_t stride, std::size_t count)
+{
+    void* buffer = rtcSetNewGeometryBuffer(geometry, type, 0, format, stride, count);
+    if (buffer == nullptr)
+        throw std::runtime_error("Embree has no memory for " + std::to_string(count) + " elements");
+    return static_cast<T*>(buffer);
+}
+
+void attachInstance(RTCDevice device, RTCScene rays, const Scene& scene, std::size_t index, const dvec3& origin)
+{
+    const Instance& instance = scene.instances[index];
+    const Primitive& primitive = scene.primitives[static_cast<std::size_t>(instance.primitive)];
+    if (primitive.topology != Topology::triangles || primitive.indices.size() < 3)
+        return;
+    const GeometryPointer geometry(rtcNewGeometry(device, RTC_GEOMETRY_TYPE_TRIANGLE));
+    auto* const vertices = newBuffer<float>(geometry.get(), RTC_BUFFER_TYPE_VERTEX, RTC_FORMAT_FLOAT3,
+                                            3 * sizeof(float), primitive.positions.size());
+    for (std::size_t i = 0; i < primitive.positions.size(); ++i) {
+        const dvec3 p = dvec3(instance.worldFromObject * dvec4(dvec3(primitive.positions[i]), 1.0)) - origin;
+        for (std::size_t c = 0; c < 3; ++c)
+            vertices[3 * i + c] = static_cast<float>(p[static_cast<int>(c)]);
+    }
+    auto* const indices = newBuffer<std::uint32_t>(geometry.get(), RTC_BUFFER_TYPE_INDEX, RTC_FORMAT_UINT3,
+                                                   3 * sizeof(std::uint32_t), primitive.indices.size() / 3);
+    std::copy_n(primitive.indices.begin(), primitive.indices.size() / 3 * 3, indices);
+    rtcCommitGeometry(geometry.get());
+    rtcAttachGeometryByID(rays, geometry.get(), static_cast<unsigned int>(index));
+}
+
+std::optional<Hit> closestShape(const RayCaster& caster, const Ray& ray, double beyond, const RayCaster::Accept& accept)
+{
+    std::optional<Hit> best;
+    const std::vector<AnalyticShape>& shapes = caster.scene().shapes;
+    for (std::size_t i = 0; i < shapes.size(); ++i) {
+        const bool doubleSided = materialOf(caster.scene(), shapes[i].material).doubleSided;
+        const std::optional<ShapeHit> met =
+            intersectShape(shapes[i], caster.origin(), ray, doubleSided ? Sides::both : Sides::front);
+        if (!met || !(met->distance > beyond) || (best && met->distance >= best->distance))
+            continue;
+        Hit hit;
+        hit.shape = static_cast<int>(i);
+        hit.distance = met->distance;
+        hit.front = glm::dot(met->normal, ray.direction) < 0.0;
+        if (!accept || accept(hit))
+            best = hit;
+    }
+    return best;
+}
+
+} // namespace
+
+struct RayCaster::State
+{
+    const Scene* scene;
+    dvec3 origin;
+    DevicePointer device;
+    ScenePointer rays;
+};
+
+RayCaster::RayCaster(const Scene& scene, const dvec3& origin) : state(std::make_unique<State>())
+{
+    state->scene = &scene;
+    state->origin = origin;
+    state->device.reset(rtcNewDevice("threads=1"));
+    if (!state->device)
+        throw std::runtime_error("Embree gives no device");
+    state->rays.reset(rtcNewScene(state->device.get()));
+    rtcSetSceneFlags(state->rays.get(),
+                     static_cast<RTCSceneFlags>(RTC_SCENE_FLAG_ROBUST | RTC_SCENE_FLAG_CONTEXT_FILTER_FUNCTION));
+    for (std::size_t i = 0; i < scene.instances.size(); ++i)
+        attachInstance(state->device.get(), state->rays.get(), scene, i, origin);
+    rtcCommitScene(state->rays.get());
+    if (rtcGetDeviceError(state->device.get()) != RTC_ERROR_NONE)
+        throw std::runtime_error("Embree cannot build the scene " + scene.name);
+}
+
+RayCaster::~RayCaster() = default;
+RayCaster::RayCaster(RayCaster&&) noexcept = default;
+RayCaster& RayCaster::operator=(RayCaster&&) noexcept = default;
+
+const Scene& RayCaster::scene() const
+{
+    return *state->scene;
+}
+
+const dvec3& RayCaster::origin() const
+{
+    return state->origin;
+}
+
+std::optional<Hit> RayCaster::closest(const Ray& ray, double beyond, const Accept& accept) const
+{
+    std::optional<Hit> best = closestShape(*this, ray, beyond, accept);
+    Query query{{}, this, &ray, beyond, &accept};
+    rtcInitIntersectContext(&query.context);
+    query.context.filter = filterHit;
+    RTCRayHit hit{};
+    hit.ray.org_x = static_cast<float>(ray.origin.x);
+    hit.ray.org_y = static_cast<float>(ray.origin.y);
+    hit.ray.org_z = static_cast<float>(ray.origin.z);
+    hit.ray.dir_x = static_cast<float>(ray.direction.x);
+    hit.ray.dir_y = static_cast<float>(ray.direction.y);
+    hit.ray.dir_z = static_cast<float>(ray.direction.z);
+    hit.ray.tfar = std::numeric_limits<float>::infinity();
+    hit.ray.mask = ~0u;
+    hit.hit.geomID = RTC_INVALID_GEOMETRY_ID;
+    rtcIntersect1(state->rays.get(), &query.context, &hit);
+    if (hit.hit.geomID == RTC_INVALID_GEOMETRY_ID)
+        return best;
+    const std::optional<Hit> met = judgedHit(query, static_cast<int>(hit.hit.geomID), static_cast<int>(hit.hit.primID));
+    return met && (!best || met->distance < best->distance) ? met : best;
+}
+
+std::array<dvec3, 3> triangleCorners(const Scene& scene, int instance, int triangle, const dvec3& origin)
+{
+    const Instance& placed = scene.instances[static_cast<std::size_t>(instance)];
+    const Primitive& primitive = scene.primitives[static_cast<std::size_t>(placed.primitive)];
+    std::array<dvec3, 3> corners;
+    for (std::size_t c = 0; c < 3; ++c) {
+        const std::uint32_t vertex = primitive.indices[3 * static_cast<std::size_t>(triangle) + c];
+        corners[c] = dvec3(placed.worldFromObject * dvec4(dvec3(primitive.positions[vertex]), 1.0)) - origin;
+    }
+    return corners;
+}
+
+const Material& materialOf(const Scene& scene, int material)
+{
+    static const Material kDefault;
+    return material < 0 ? kDefault : scene.materials[static_cast<std::size_t>(material)];
+}
+
+int materialIndexOf(const Scene& scene, const Hit& hit)
+{
+    if (hit.shape >= 0)
+        return scene.shapes[static_cast<std::size_t>(hit.shape)].material;
+    const Instance& instance = scene.instances[static_cast<std::size_t>(hit.instance)];
+    return scene.primitives[static_cast<std::size_t>(instance.primitive)].material;
+}
+
+} // namespace torrance

@@ -1,0 +1,58 @@
+// What a ray meets first: triangle meshes through Embree, analytic shapes exactly.
+#pragma once
+
+#include "math/ray.h"
+#include "scene/scene.h"
+
+#include <functional>
+#include <memory>
+#include <optional>
+
+namespace torrance {
+
+struct Hit
+{
+    int instance = -1;                        // Scene::instances; -1 where an analytic shape was hit
+    int shape = -1;                           // Scene::shapes; -1 where a triangle was hit
+    int triangle = 0;                         // number of the index triple
+    dvec3 barycentric = dvec3(1.0, 0.0, 0.0); // weights of the three vertices, recomputed in double
+    double distance = 0.0;                    // along the ray, metres
+    bool front = true; // the counter-clockwise side faces the ray (clockwise where the node mirrors)
+};
+
+/// Embree works in float. It only decides which triangle is met; where, is computed again in double. Vertices are
+/// handed to it relative to `origin` (the camera's position as a rule), so that scenes far from the world's origin lose
+/// nothing. Back faces of single-sided materials are not there, as they are not drawn. Points and lines are not met.
+class RayCaster
+{
+public:
+    /// Keeps a reference to the scene. Throws std::runtime_error where Embree cannot build.
+    RayCaster(const Scene& scene, const dvec3& origin);
+    ~RayCaster();
+    RayCaster(RayCaster&&) noexcept;
+    RayCaster& operator=(RayCaster&&) noexcept;
+
+    /// Says of a hit whether it counts (alpha masks); must not throw.
+    using Accept = std::function<bool(const Hit&)>;
+
+    /// The nearest accepted hit farther than `beyond` along a ray whose origin is relative to `origin`.
+    std::optional<Hit> closest(const Ray& ray, double beyond = 0.0, const Accept& accept = {}) const;
+
+    const Scene& scene() const;
+    const dvec3& origin() const;
+
+private:
+    struct State;
+    std::unique_ptr<State> state;
+};
+
+/// The three corners of a triangle of an instance, in the world relative to `origin`.
+std::array<dvec3, 3> triangleCorners(const Scene& scene, int instance, int triangle, const dvec3& origin);
+
+/// glTF's default material stands in for -1.
+const Material& materialOf(const Scene& scene, int material);
+
+/// Material index (Scene::materials or -1) of what was hit.
+int materialIndexOf(const Scene& scene, const Hit& hit);
+
+} // namespace torrance

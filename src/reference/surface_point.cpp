@@ -1,0 +1,108 @@
+#include "reference/surface_point.h"
+
+#include "reference/analytic_shape.h"
+
+#include <cmath>
+
+namespace torrance {
+namespace {
+
+/// det(M) * inverse(transpose(M)) without the division: right for singular matrices too.
+dmat3 cofactors(const dmat3& m)
+{
+    return dmat3(glm::cross(m[1], m[2]), glm::cross(m[2], m[0]), glm::cross(m[0], m[1]));
+}
+
+dvec3 unitOr(const dvec3& v, const dvec3& fallback)
+{
+    const double length = glm::length(v);
+    return length > 0.0 && std::isfinite(length) ? v / length : fallback;
+}
+
+/// An attribute at the hit: the weighted sum of the corners' values.
+template <typename Wide, typename Narrow>
+Wide interpolate(const std::vector<Narrow>& values, const std::array<std::uint32_t, 3>& corners, const dvec3& weights)
+{
+    return weights[0] * Wide(values[corners[0]]) + weights[1] * Wide(values[corners[1]]) +
+           weights[2] * Wide(values[corners[2]]);
+}
+
+struct Corners
+{
+    const Primitive& primitive;
+    dmat3 worldFromObject;
+    double handedness; // sign of its determinant
+    std::array<std::uint32_t, 3> vertices;
+    dvec3 weights;
+};
+
+Corners cornersOf(const Scene& scene, const Hit& hit)
+{
+    const Instance& instance = scene.instances[static_cast<std::size_t>(hit.instance)];
+    const Primitive& primitive = scene.primitives[static_cast<std::size_t>(instance.primitive)];
+    const dmat3 matrix(instance.worldFromObject);
+    const std::size_t first = 3 * static_cast<std::size_t>(hit.triangle);
+    return {primitive,
+            matrix,
+            glm::determinant(matrix) < 0.0 ? -1.0 : 1.0,
+            {primitive.indices[first], primitive.indices[first + 1], primitive.indices[first + 2]},
+            hit.barycentric};
+}
+
+void fillAttributes(const Corners& c, SurfacePoint& point)
+{
+    const Primitive& p = c.primitive;
+    if (!p.normals.empty())
+        point.normal =
+            unitOr(c.handedness * (cofactors(c.worldFromObject) * interpolate<dvec3>(p.normals, c.vertices, c.weights)),
+                   point.normal);
+    if (!p.tangents.empty()) {
+        const dvec4 tangent = interpolate<dvec4>(p.tangents, c.vertices, c.weights);
+        const double w = p.tangents[c.vertices[0]].w < 0.0f ? -1.0 : 1.0;
+        point.frame = TangentFrame{unitOr(c.worldFromObject * dvec3(tangent), dvec3(1, 0, 0)), w * c.handedness};
+    }
+    for (std::size_t set = 0; set < 2; ++set)
+        if (!p.uvs[set].empty())
+            point.uvs[set] = interpolate<dvec2>(p.uvs[set], c.vertices, c.weights);
+    if (!p.colors.empty())
+        point.color = interpolate<dvec4>(p.colors, c.vertices, c.weights);
+}
+
+SurfacePoint shapePoint(const RayCaster& caster, const Ray& ray, const Hit& hit)
+{
+    const AnalyticShape& shape = caster.scene().shapes[static_cast<std::size_t>(hit.shape)];
+    const std::optional<ShapeHit> met = intersectShape(shape, caster.origin(), ray, Sides::both);
+    SurfacePoint point;
+    point.position = met->position;
+    point.normal = met->normal;
+    point.geometricNormal = hit.front ? met->normal : -met->normal;
+    point.object = -1 - hit.shape;
+    return point;
+}
+
+SurfacePoint trianglePoint(const RayCaster& caster, const Hit& hit)
+{
+    const Corners c = cornersOf(caster.scene(), hit);
+    const std::array<dvec3, 3> places = triangleCorners(caster.scene(), hit.instance, hit.triangle, caster.origin());
+    SurfacePoint point;
+    point.position = c.weights[0] * places[0] + c.weights[1] * places[1] + c.weights[2] * places[2];
+    const dvec3 front = unitOr(c.handedness * glm::cross(places[1] - places[0], places[2] - places[0]), dvec3(0, 0, 1));
+    point.normal = front;
+    point.geometricNormal = hit.front ? front : -front;
+    point.object = caster.scene().instances[static_cast<std::size_t>(hit.instance)].object;
+    fillAttributes(c, point);
+    return point;
+}
+
+} // namespace
+
+SurfacePoint makeSurfacePoint(const RayCaster& caster, const Ray& ray, const Hit& hit)
+{
+    SurfacePoint point = hit.shape >= 0 ? shapePoint(caster, ray, hit) : trianglePoint(caster, hit);
+    point.distance = hit.distance;
+    point.front = hit.front;
+    point.material = materialIndexOf(caster.scene(), hit);
+    return point;
+}
+
+} // namespace torrance

@@ -1,0 +1,36 @@
+// The surface where a ray meets it: place, normals, frame, texture coordinates, colour.
+#pragma once
+
+#include "reference/ray_caster.h"
+
+#include <array>
+#include <optional>
+
+namespace torrance {
+
+/// The tangent frame of normal mapping. Bitangent = sign * cross(normal, tangent).
+struct TangentFrame
+{
+    dvec3 tangent = dvec3(1.0, 0.0, 0.0); // unit, along the texture's u
+    double sign = 1.0;                    // glTF's w, negated where the node mirrors
+};
+
+struct SurfacePoint
+{
+    dvec3 position = dvec3(0.0);        // relative to the caster's origin
+    double distance = 0.0;              // along the ray
+    dvec3 geometricNormal = dvec3(0.0); // unit, towards the side that is seen
+    dvec3 normal = dvec3(0.0); // interpolated vertex normal, unit, of the front side (not yet turned for back faces)
+    bool front = true;         // the front side is seen
+    std::optional<TangentFrame> frame;
+    std::array<dvec2, 2> uvs = {dvec2(0.0), dvec2(0.0)};
+    dvec4 color = dvec4(1.0); // COLOR_0
+    int material = -1;
+    int object = -1; // Instance::object; of analytic shape number i, -1 - i
+};
+
+/// Normals go through the cofactor matrix, times the determinant's sign, and are interpolated before they are
+/// normalised; where a primitive has none, or they vanish, the triangle's own stands in.
+SurfacePoint makeSurfacePoint(const RayCaster& caster, const Ray& ray, const Hit& hit);
+
+} // namespace torrance
