@@ -1,0 +1,26 @@
+// From what was drawn to what a screen is sent: exposure, tone curve, exact sRGB, in this order and once.
+#pragma once
+
+#include "image/image.h"
+#include "image/tone_curves.h"
+
+namespace torrance {
+
+enum class AlphaRule
+{
+    straight,  // colour divided by its coverage before the curve, alpha kept: PNG, WebP
+    overBlack, // premultiplied colour as it stands, alpha dropped: JPEG, which has none
+};
+
+struct DisplaySettings
+{
+    double exposure = 0.0; // stops
+    const ToneCurve* tone = findToneCurve("khronos_neutral");
+    AlphaRule alpha = AlphaRule::straight;
+};
+
+/// `sceneLinear` has 3 channels, or 4 with premultiplied alpha. The result is encoded, in [0, 1] but for the curve
+/// `none`: 3 channels, or 4 with straight alpha. Coverage 0 gives colour 0. No value of the input gives a NaN.
+Image toDisplay(const Image& sceneLinear, const DisplaySettings& settings);
+
+} // namespace torrance
