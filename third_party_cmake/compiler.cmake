@@ -1,10 +1,8 @@
 # One place for what every target is compiled with.
 # RelWithAsserts is -O2 with assertions: what the tests run in.
-set(CMAKE_CXX_FLAGS_RELWITHASSERTS "-O2" CACHE STRING "Optimised, assertions on")
-set(CMAKE_C_FLAGS_RELWITHASSERTS "-O2" CACHE STRING "Optimised, assertions on")
-set(CMAKE_EXE_LINKER_FLAGS_RELWITHASSERTS "" CACHE STRING "")
-set(CMAKE_SHARED_LINKER_FLAGS_RELWITHASSERTS "" CACHE STRING "")
-set(CMAKE_MODULE_LINKER_FLAGS_RELWITHASSERTS "" CACHE STRING "")
+# (No cache entries: project() has already made empty ones, which would win.)
+set(CMAKE_CXX_FLAGS_RELWITHASSERTS -O2)
+set(CMAKE_C_FLAGS_RELWITHASSERTS -O2)
 if(NOT CMAKE_BUILD_TYPE)
   set(CMAKE_BUILD_TYPE Release CACHE STRING "Build type" FORCE)
 endif()

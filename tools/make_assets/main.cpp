@@ -2,7 +2,9 @@
 // time.
 #include "core/error.h"
 #include "core/log.h"
+#include "make_assets/demo.h"
 #include "make_assets/environments.h"
+#include "make_assets/studio.h"
 
 #include <exception>
 #include <filesystem>
@@ -16,6 +18,8 @@ int main(int argc, char** argv)
     try {
         const std::filesystem::path folder = argv[1];
         torrance::assets::writeEnvironments(folder / "environments");
+        // Shadows as soft as these need no finer light.
+        torrance::assets::writeDemo(folder / "demo", torrance::assets::studioPanorama(128, 64));
     } catch (const torrance::Error& error) {
         torrance::logError(error.what());
         return static_cast<int>(error.exitCode);

@@ -1,0 +1,92 @@
+#include "make_assets/occlusion.h"
+
+#include "core/parallel.h"
+#include "make_assets/light_directions.h"
+#include "make_assets/noise.h"
+#include "make_assets/shadow_rays.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace torrance::assets {
+namespace {
+
+constexpr int kRays = 96; // a texel; its noise, about 1/20 at the worst, is smoothed below
+// Rays leave this far above the surface, in metres: more than a curved mesh's sag between its vertices.
+constexpr double kLift = 2e-3;
+
+/// The part of the light's cosine-weighted sum that is not blocked.
+double openness(const ShadowRays& rays, const LightDirections& lights, const dvec3& position, const dvec3& normal,
+                int x, int y)
+{
+    const double jitter = randomValue(x, y, 1);
+    double open = 0.0;
+    double total = 0.0;
+    for (int i = 0; i < kRays; ++i) {
+        const dvec3 direction =
+            lights.at((i + jitter) / kRays, randomValue(x, y, 2 + 2 * static_cast<std::uint32_t>(i)),
+                      randomValue(x, y, 3 + 2 * static_cast<std::uint32_t>(i)));
+        const double cosine = glm::dot(direction, normal);
+        if (cosine <= 0.0)
+            continue;
+        total += cosine;
+        if (!rays.blocked(position + kLift * normal, direction))
+            open += cosine;
+    }
+    return total > 0.0 ? open / total : 1.0;
+}
+
+/// One pass of 1 2 1 in each direction, inside the chart.
+void smooth(std::vector<double>& values, int width, int height)
+{
+    const std::vector<double> before = values;
+    const auto value = [&](int x, int y) {
+        const int cx = std::clamp(x, 0, width - 1);
+        const int cy = std::clamp(y, 0, height - 1);
+        return before[static_cast<std::size_t>(cy * width + cx)];
+    };
+    for (int y = 0; y < height; ++y)
+        for (int x = 0; x < width; ++x) {
+            double sum = 0.0;
+            for (int dy = -1; dy <= 1; ++dy)
+                for (int dx = -1; dx <= 1; ++dx)
+                    sum += value(x + dx, y + dy) * (2 - std::abs(dx)) * (2 - std::abs(dy)) / 16.0;
+            values[static_cast<std::size_t>(y * width + x)] = sum;
+        }
+}
+
+void bakeChart(Picture& atlas, const DemoObject& object, const Surface& surface, const Chart& chart,
+               const ShadowRays& rays, const LightDirections& lights)
+{
+    std::vector<double> values(static_cast<std::size_t>(chart.width * chart.height));
+    parallelFor(static_cast<std::size_t>(chart.height), 1, [&](std::size_t row) {
+        const int y = static_cast<int>(row);
+        for (int x = 0; x < chart.width; ++x) {
+            const SurfacePoint point =
+                surface.at(static_cast<double>(x) / (chart.width - 1), static_cast<double>(y) / (chart.height - 1));
+            values[static_cast<std::size_t>(y * chart.width + x)] = openness(
+                rays, lights, placed(object, point.position), turned(object, point.normal), chart.x + x, chart.y + y);
+        }
+    });
+    smooth(values, chart.width, chart.height);
+    for (int y = 0; y < chart.height; ++y)
+        for (int x = 0; x < chart.width; ++x)
+            atlas.bytes[static_cast<std::size_t>((chart.y + y) * atlas.width + chart.x + x)] =
+                static_cast<std::uint8_t>(std::lround(255.0 * values[static_cast<std::size_t>(y * chart.width + x)]));
+}
+
+} // namespace
+
+Picture bakeOcclusion(const DemoScene& scene, const std::vector<std::vector<Chart>>& charts, const Image& panorama)
+{
+    const ShadowRays rays(scene);
+    const LightDirections lights(panorama);
+    Picture atlas{kAtlasSize, kAtlasSize, 1, {}};
+    atlas.bytes.assign(static_cast<std::size_t>(kAtlasSize) * kAtlasSize, 255);
+    for (std::size_t i = 0; i < scene.objects.size(); ++i)
+        for (std::size_t j = 0; j < scene.objects[i].parts.size(); ++j)
+            bakeChart(atlas, scene.objects[i], scene.objects[i].parts[j].surface, charts[i][j], rays, lights);
+    return atlas;
+}
+
+} // namespace torrance::assets
