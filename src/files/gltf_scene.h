@@ -1,0 +1,31 @@
+// From a checked document to the scene that it draws.
+#pragma once
+
+#include "files/gltf_accessors.h"
+#include "files/gltf_buffers.h"
+#include "files/gltf_nodes.h"
+#include "files/scene_file.h"
+
+#include <nlohmann/json_fwd.hpp>
+
+namespace torrance {
+
+/// A document whose structure, references and sizes were checked.
+struct GltfDocument
+{
+    std::string stem; // names a scene that has no name
+    const nlohmann::json& json;
+    const GltfBuffers& buffers;
+    const std::vector<GltfAccessor>& accessors;
+    const GltfNodeTree& tree;
+    const GltfOrigin& origin;
+};
+
+/// The number of the scene that is drawn: `chosen`, the file's default, the first; -1 where the file has no scenes.
+/// Errors: usage, where there is no scene `chosen`.
+int sceneNumber(const nlohmann::json& document, const std::optional<int>& chosen, const GltfReport& report);
+
+/// Scene `number` of the document; all root nodes where it is -1.
+Scene buildScene(const GltfDocument& document, int number, GltfReport& report);
+
+} // namespace torrance

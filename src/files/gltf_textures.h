@@ -1,0 +1,32 @@
+// Textures of glTF: which image, sampled how, and the image's texels.
+#pragma once
+
+#include "files/gltf_buffers.h"
+#include "scene/texture.h"
+
+#include <nlohmann/json_fwd.hpp>
+#include <set>
+
+namespace tinygltf {
+class Model;
+}
+
+namespace torrance {
+
+/// What all decoded images of a file together may take. The size of each is known from its header before it is decoded.
+inline constexpr std::uint64_t kMaxTexelBytes = std::uint64_t(4) << 30;
+
+struct GltfTextures
+{
+    std::vector<Texture> textures;    // in the order of the file, those asked for
+    std::vector<TextureImage> images; // each once
+    std::vector<int> textureOfFile;   // the file's number → textures, -1 = not asked for
+};
+
+/// The textures of the file that `used` names, their images decoded on all cores. Of an image in WebP and one in
+/// another format the WebP one is taken (EXT_texture_webp). Errors (input): a texture without an image that can be
+/// read, an image that is missing, damaged, of no size or too large, an unknown sampler value.
+GltfTextures readTextures(const tinygltf::Model& model, const nlohmann::json& document, const GltfBuffers& buffers,
+                          const GltfOrigin& origin, const std::set<int>& used, const GltfReport& report);
+
+} // namespace torrance

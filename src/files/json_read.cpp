@@ -1,0 +1,126 @@
+#include "files/json_read.h"
+
+#include "core/error.h"
+
+#include <nlohmann/json.hpp>
+#include <vector>
+
+namespace torrance {
+namespace {
+
+using nlohmann::json;
+
+/// Builds the tree from the parser's events. The parser keeps its own state in a bit array and does not recurse, so
+/// that a depth limit here is one everywhere.
+class TreeBuilder : public nlohmann::json_sax<json>
+{
+public:
+    explicit TreeBuilder(const std::string& fileName) : file(fileName) {}
+
+    bool null() override { return add(nullptr); }
+    bool boolean(bool value) override { return add(value); }
+    bool number_integer(number_integer_t value) override { return add(value); }
+    bool number_unsigned(number_unsigned_t value) override { return add(value); }
+    bool number_float(number_float_t value, const string_t&) override { return add(value); }
+    bool string(string_t& value) override { return add(std::move(value)); }
+    bool binary(binary_t&) override { return false; } // not part of JSON text
+    bool start_object(std::size_t) override { return open(json::object()); }
+    bool start_array(std::size_t) override { return open(json::array()); }
+    bool end_object() override { return close(); }
+    bool end_array() override { return close(); }
+
+    bool key(string_t& name) override
+    {
+        if (levels.back().value->contains(name))
+            throw inputError(file, path() + "/" + name, "is given twice", "keep one of the two");
+        levels.back().key = std::move(name);
+        return true;
+    }
+
+    bool parse_error(std::size_t position, const std::string& token, const nlohmann::detail::exception& error) override
+    {
+        constexpr int kNumberOverflow = 406; // nlohmann::json::out_of_range
+        if (error.id == kNumberOverflow)
+            throw inputError(file, nextPath(), "number " + token + " overflows",
+                             "write a number that a double can hold");
+        throw inputError(file, nextPath(), "JSON is malformed at byte " + std::to_string(position),
+                         "repair or export the file again");
+    }
+
+    json root;
+
+private:
+    struct Level
+    {
+        json* value;
+        std::string key; // of the member being read, where it is an object
+    };
+
+    /// A node's address stays valid while its children are read: its container gets no other child meanwhile.
+    json* place(json&& value)
+    {
+        if (++count > kMaxJsonValues)
+            throw inputError(file, "", "holds more than " + std::to_string(kMaxJsonValues) + " JSON values",
+                             "keep bulk data in buffers");
+        if (levels.empty())
+            return &(root = std::move(value));
+        Level& level = levels.back();
+        if (level.value->is_object())
+            return &((*level.value)[level.key] = std::move(value));
+        level.value->push_back(std::move(value));
+        return &level.value->back();
+    }
+
+    bool add(json&& value)
+    {
+        place(std::move(value));
+        return true;
+    }
+
+    bool open(json&& value)
+    {
+        if (levels.size() >= kMaxJsonDepth)
+            throw inputError(file, path(), "is nested more than " + std::to_string(kMaxJsonDepth) + " deep",
+                             "flatten the JSON");
+        json* const placed = place(std::move(value));
+        levels.push_back({placed, ""});
+        return true;
+    }
+
+    bool close()
+    {
+        levels.pop_back();
+        return true;
+    }
+
+    std::string path() const
+    {
+        std::string text;
+        for (std::size_t i = 0; i + 1 < levels.size(); ++i)
+            text += "/" + step(levels[i], 0);
+        return text;
+    }
+
+    std::string nextPath() const { return levels.empty() ? "/" : path() + "/" + step(levels.back(), 1); }
+
+    /// The member or element being read; `ahead` is 1 where it has not been placed yet.
+    static std::string step(const Level& level, std::size_t ahead)
+    {
+        return level.value->is_object() ? level.key : std::to_string(level.value->size() - 1 + ahead);
+    }
+
+    const std::string& file;
+    std::vector<Level> levels;
+    std::size_t count = 0;
+};
+
+} // namespace
+
+json readJson(std::string_view text, const std::string& file)
+{
+    TreeBuilder builder(file);
+    json::sax_parse(text.begin(), text.end(), &builder);
+    return std::move(builder.root);
+}
+
+} // namespace torrance

@@ -1,0 +1,91 @@
+#include "files/scene_file.h"
+
+#include "files/gltf_extensions.h"
+#include "files/gltf_facts.h"
+#include "files/gltf_items.h"
+#include "files/gltf_scene.h"
+#include "files/gltf_schema.h"
+#include "files/gltf_version.h"
+#include "files/json_read.h"
+#include "files/read_file.h"
+
+namespace torrance {
+namespace {
+
+struct OpenedFile
+{
+    std::vector<std::byte> bytes;
+    GltfContainer container;
+    nlohmann::json document;
+};
+
+OpenedFile openFile(const std::filesystem::path& path, const std::string& file)
+{
+    OpenedFile opened;
+    opened.bytes = readFile(path, file, "");
+    opened.container = splitContainer(opened.bytes, file);
+    opened.document = readJson(opened.container.json, file);
+    checkVersion(opened.document, file);
+    checkSchema(opened.document, file);
+    return opened;
+}
+
+LoadedScene build(const OpenedFile& opened, const std::filesystem::path& path, const LoadOptions& options,
+                  GltfReport& report)
+{
+    const nlohmann::json& document = opened.document;
+    const int number = sceneNumber(document, options.scene, report);
+    checkExtensions(document, report);
+    const GltfOrigin origin{path.parent_path(), options.allowExternal};
+    const GltfNodeTree tree = checkNodeTree(document, report);
+    const GltfBuffers buffers = readBuffers(document, opened.container, origin, report);
+    const std::vector<GltfAccessor> accessors = checkAccessors(document, buffers, report);
+    if (!itemsOf(document, "animations").empty())
+        report.warn("", "has animations, which are not played: it is drawn at rest");
+    if (number < 0)
+        report.warn("", "has no scenes: all of its nodes are drawn");
+
+    LoadedScene loaded;
+    loaded.scene = buildScene({path.stem().string(), document, buffers, accessors, tree, origin}, number, report);
+    loaded.facts = factsOfDocument(document, opened.container, opened.bytes.size());
+    addSceneFacts(loaded.facts, loaded.scene);
+    loaded.facts.scene = number;
+    loaded.facts.bufferBytes = buffers.totalBytes;
+    loaded.facts.replacedNumbers = report.nonFiniteNumbers;
+    if (report.nonFiniteNumbers > 0)
+        report.warn("", "holds " + std::to_string(report.nonFiniteNumbers) +
+                            " numbers in its accessors that are NaN or "
+                            "infinite: 0 is used");
+    loaded.warnings = std::move(report.warnings);
+    return loaded;
+}
+
+} // namespace
+
+LoadedScene loadScene(const std::filesystem::path& path, const LoadOptions& options)
+{
+    GltfReport report;
+    report.file = path.string();
+    try {
+        return build(openFile(path, report.file), path, options, report);
+    } catch (const Error&) {
+        throw;
+    } catch (const std::bad_alloc&) {
+        throw inputError(report.file, "", "does not fit into memory", "split the model");
+    } catch (const std::exception& failure) // of the libraries behind us, on what no check of ours foresaw
+    {
+        throw inputError(report.file, "", failure.what(), kRepair);
+    }
+}
+
+SceneFacts readFacts(const std::filesystem::path& path, const LoadOptions& options)
+{
+    GltfReport report;
+    report.file = path.string();
+    const OpenedFile opened = openFile(path, report.file);
+    SceneFacts facts = factsOfDocument(opened.document, opened.container, opened.bytes.size());
+    facts.scene = sceneNumber(opened.document, options.scene, report);
+    return facts;
+}
+
+} // namespace torrance

@@ -1,0 +1,79 @@
+// Scenes from files: glTF 2.0, as .gltf or .glb.
+#pragma once
+
+#include "scene/scene.h"
+
+#include <cstdint>
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace torrance {
+
+struct LoadOptions
+{
+    std::optional<int> scene;   // instead of the file's default
+    bool allowExternal = false; // URIs may leave the folder of the file: `..`, absolute paths, file:
+};
+
+/// How many of a kind a file holds, and their names ("" where one has none).
+struct NamedItems
+{
+    std::vector<std::string> names;
+
+    std::size_t count() const { return names.size(); }
+};
+
+struct ExtensionFact
+{
+    std::string name;
+    bool required = false;
+    bool supported = false;
+};
+
+/// What a file holds, for `inspect`.
+struct SceneFacts
+{
+    std::string container; // "GLB" or "glTF"
+    std::string version;
+    std::string generator;
+    std::string copyright;
+    std::uint64_t fileBytes = 0;
+    std::uint64_t bufferBytes = 0; // of all buffers that are used, the GLB's own and others
+
+    std::vector<ExtensionFact> extensions; // by name
+    NamedItems scenes, nodes, meshes, materials, textures, images, cameras, lights, skins, animations;
+    std::size_t primitives = 0;
+    std::size_t accessors = 0;
+    std::size_t morphTargets = 0;
+
+    // Of the scene that is drawn, every instance counted.
+    int scene = 0; // -1 where the file has none and all its nodes are drawn
+    std::size_t instances = 0;
+    std::size_t vertices = 0;
+    std::size_t triangles = 0;
+    std::size_t lines = 0;
+    std::size_t points = 0;
+    std::uint64_t texelBytes = 0;    // decoded
+    std::size_t replacedNumbers = 0; // NaN and Inf in accessors that were read
+};
+
+struct LoadedScene
+{
+    Scene scene;
+    SceneFacts facts;
+    std::vector<std::string> warnings; // each a line that names the file
+};
+
+/// Reads a scene as it stands at rest: morph targets at their default weights, skins in the pose of the nodes,
+/// animations left out with a warning. Only what the scene draws is in it: materials, textures and images that no
+/// primitive uses are not decoded. Errors (input) name file, item and remedy, for everything that a damaged or hostile
+/// file can hold; a scene number that the file does not have is an Error (usage).
+LoadedScene loadScene(const std::filesystem::path& path, const LoadOptions& options = {});
+
+/// What a file holds, without reading geometry or images: also of one that needs an extension that is not supported.
+/// The numbers of what is drawn stay zero.
+SceneFacts readFacts(const std::filesystem::path& path, const LoadOptions& options = {});
+
+} // namespace torrance
