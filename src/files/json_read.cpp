@@ -15,7 +15,7 @@ using nlohmann::json;
 class TreeBuilder : public nlohmann::json_sax<json>
 {
 public:
-    explicit TreeBuilder(const std::string& fileName) : file(fileName) {}
+    TreeBuilder(const std::string& fileName, std::size_t mostValues) : file(fileName), most(mostValues) {}
 
     bool null() override { return add(nullptr); }
     bool boolean(bool value) override { return add(value); }
@@ -59,8 +59,8 @@ private:
     /// A node's address stays valid while its children are read: its container gets no other child meanwhile.
     json* place(json&& value)
     {
-        if (++count > kMaxJsonValues)
-            throw inputError(file, "", "holds more than " + std::to_string(kMaxJsonValues) + " JSON values",
+        if (++count > most)
+            throw inputError(file, "", "holds more than " + std::to_string(most) + " JSON values",
                              "keep bulk data in buffers");
         if (levels.empty())
             return &(root = std::move(value));
@@ -110,15 +110,16 @@ private:
     }
 
     const std::string& file;
+    const std::size_t most;
     std::vector<Level> levels;
     std::size_t count = 0;
 };
 
 } // namespace
 
-json readJson(std::string_view text, const std::string& file)
+json readJson(std::string_view text, const std::string& file, std::size_t mostValues)
 {
-    TreeBuilder builder(file);
+    TreeBuilder builder(file, mostValues);
     json::sax_parse(text.begin(), text.end(), &builder);
     return std::move(builder.root);
 }

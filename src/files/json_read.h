@@ -16,7 +16,7 @@ inline constexpr int kMaxJsonDepth = 128;
 inline constexpr std::size_t kMaxJsonValues = std::size_t(1) << 23;
 
 /// Errors (input) give the place in the tree ("/nodes/3/matrix/12"): malformed text, invalid UTF-8, a number that
-/// overflows a double, a name given twice in one object, too deep, too many values.
-nlohmann::json readJson(std::string_view text, const std::string& file);
+/// overflows a double, a name given twice in one object, too deep, more than `mostValues` values.
+nlohmann::json readJson(std::string_view text, const std::string& file, std::size_t mostValues = kMaxJsonValues);
 
 } // namespace torrance
