@@ -14,6 +14,13 @@ SHARED_FLOAT(PI, 3.14159265358979323846f);
 // alpha = max(r * r, kMinAlpha): alters perceptual roughness below 0.01 only (src/brdf/shading_point.h).
 SHARED_FLOAT(kMinAlpha, 1e-4f);
 
+// Added to denominators that vanish with both cosines: keeps D V below 1.6e37, alters V by less than 1e-7 below 1e22.
+SHARED_FLOAT(kLeastDenominator, 1e-30f);
+
+// The dielectric part of a glTF material: index 1.5, normal reflectance ((1.5 - 1) / (1.5 + 1))^2 (glTF 2.0, Appendix B).
+SHARED_FLOAT(kDielectricIor, 1.5f);
+SHARED_FLOAT(kDielectricF0, 0.04f);
+
 #ifdef __cplusplus
 }
 #endif

@@ -30,6 +30,8 @@ enum class Slot
 std::string_view slotName(Slot slot);
 /// The prefix of the function's name in GLSL and in C++: "D", "V", "F", ...
 std::string_view slotPrefix(Slot slot);
+/// True where a method of the slot is one function in shaders/brdf/<slot>/<id>.glsl.
+bool hasShadingFunction(Slot slot);
 std::span<const Slot> allSlots();
 std::optional<Slot> findSlot(std::string_view name);
 

@@ -9,11 +9,17 @@ namespace torrance::brdf {
 /// alters perceptual roughness below 0.01 only. The same constant stands in shaders/shared/constants.h.
 inline constexpr double kMinAlpha = 1e-4;
 
+/// Added to denominators that vanish with both cosines. D <= 1 / (pi kMinAlpha^2) = 3.2e7, so that D V stays
+/// below 1.6e37, finite in 32 bits; V below 1e22 is altered by less than 1e-7. The same constant stands in
+/// shaders/shared/constants.h.
+inline constexpr double kLeastDenominator = 1e-30;
+
 struct ShadingPoint
 {
     dvec3 n = dvec3(0, 0, 1), v = dvec3(0, 0, 1), l = dvec3(0, 0, 1);
 
     double NoV = 1, NoL = 1; // signed
+    double VoL = 1;
     double NoH = 1, VoH = 1; // h = (v + l) / |v + l|
     double sin2H = 0;        // 1 - NoH^2 = |n x t|^2 / |t|^2, t = v + l
 
@@ -28,6 +34,8 @@ struct ShadingPoint
     dvec3 k = dvec3(0.0);
     dvec3 baseColor = dvec3(1.0);
     double metallic = 0;
+
+    double E = 1; // directional albedo, at NoV, of the specular lobe with F = 1: what compensation divides by
 };
 
 /// Fills the cosines, sin2H and the alphas from n, v, l and perceptualRoughness. n, v, l are normalised first. Where

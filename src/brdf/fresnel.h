@@ -1,0 +1,13 @@
+// F: share of light that a flat interface reflects, per colour channel, at the cosine VoH. Read from a point: VoH and
+// what the method needs of f0, f90, ior, eta, k.
+#pragma once
+
+#include "brdf/shading_point.h"
+
+namespace torrance::brdf {
+
+dvec3 F_schlick(const ShadingPoint& point);
+dvec3 F_exact_dielectric(const ShadingPoint& point);
+dvec3 F_exact_conductor(const ShadingPoint& point);
+
+} // namespace torrance::brdf

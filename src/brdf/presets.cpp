@@ -1,0 +1,98 @@
+#include "brdf/method.h"
+
+#include <algorithm>
+#include <cassert>
+#include <stdexcept>
+#include <string>
+
+namespace torrance::brdf {
+namespace {
+
+const Method* known(Slot slot, std::string_view id)
+{
+    const Method* method = findMethod(slot, id);
+    assert(method && "a preset names a method that the registry lacks");
+    return method;
+}
+
+Preset gltf()
+{
+    return {.id = "gltf",
+            .description = "glTF 2.0, Appendix B to the letter",
+            .distribution = known(Slot::distribution, "ggx"),
+            .visibility = known(Slot::visibility, "smith_corr"),
+            .fresnel = known(Slot::fresnel, "schlick"),
+            .diffuse = known(Slot::diffuse, "lambert"),
+            .multipleScattering = known(Slot::multipleScattering, "none"),
+            .environmentDiffuse = known(Slot::environmentDiffuse, "sh9"),
+            .environmentSpecular = known(Slot::environmentSpecular, "split_sum"),
+            .dfg = known(Slot::dfg, "table")};
+}
+
+Preset standard()
+{
+    Preset preset = gltf();
+    preset.id = "standard";
+    preset.description = "glTF 2.0, Appendix B, with the energy that rough metals lose between microfacets put back";
+    preset.multipleScattering = known(Slot::multipleScattering, "scale");
+    return preset;
+}
+
+// The one list of places; Preset's own type decides whether a place may be written.
+template <typename P>
+auto* place(P& preset, Slot slot)
+{
+    switch (slot) {
+    case Slot::distribution:
+        return &preset.distribution;
+    case Slot::visibility:
+        return &preset.visibility;
+    case Slot::fresnel:
+        return &preset.fresnel;
+    case Slot::diffuse:
+        return &preset.diffuse;
+    case Slot::multipleScattering:
+        return &preset.multipleScattering;
+    case Slot::environmentDiffuse:
+        return &preset.environmentDiffuse;
+    case Slot::environmentSpecular:
+        return &preset.environmentSpecular;
+    case Slot::dfg:
+        return &preset.dfg;
+    case Slot::tone:
+    case Slot::transfer:
+        break; // of the output, not of the shading
+    }
+    return decltype(&preset.distribution)(nullptr);
+}
+
+} // namespace
+
+const Method* Preset::operator[](Slot slot) const
+{
+    const auto* found = place(*this, slot);
+    return found ? *found : nullptr;
+}
+
+const Method*& Preset::operator[](Slot slot)
+{
+    auto* found = place(*this, slot);
+    if (!found)
+        throw std::out_of_range("a preset has no method for the slot " + std::string(slotName(slot)));
+    return *found;
+}
+
+std::span<const Preset> allPresets()
+{
+    static const Preset presets[] = {standard(), gltf()};
+    return presets;
+}
+
+const Preset* findPreset(std::string_view id)
+{
+    const auto presets = allPresets();
+    const auto found = std::ranges::find(presets, id, &Preset::id);
+    return found == presets.end() ? nullptr : &*found;
+}
+
+} // namespace torrance::brdf

@@ -1,0 +1,31 @@
+#include "brdf/selection.h"
+
+#include "brdf/brdf.h"
+
+namespace torrance::brdf {
+
+std::string glslPath(const Method& method)
+{
+    return "brdf/" + std::string(slotName(method.slot)) + "/" + std::string(method.id) + ".glsl";
+}
+
+std::string functionName(const Method& method)
+{
+    return std::string(slotPrefix(method.slot)) + "_" + std::string(method.id);
+}
+
+std::string selectedGlsl(const Preset& preset)
+{
+    requireWholeBrdf(preset);
+    std::string text;
+    for (const Slot slot : allSlots()) {
+        const Method* method = preset[slot];
+        if (!method || !hasShadingFunction(slot))
+            continue;
+        text += "#include \"" + glslPath(*method) + "\"\n";
+        text += "#define SELECTED_" + std::string(slotName(slot)) + " " + functionName(*method) + "\n";
+    }
+    return text;
+}
+
+} // namespace torrance::brdf

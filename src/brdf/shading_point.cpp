@@ -1,0 +1,40 @@
+#include "brdf/shading_point.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace torrance::brdf {
+
+ShadingPoint makeShadingPoint(const dvec3& n, const dvec3& v, const dvec3& l, double perceptualRoughness)
+{
+    ShadingPoint point;
+    point.n = glm::normalize(n);
+    point.v = glm::normalize(v);
+    point.l = glm::normalize(l);
+    point.NoV = glm::dot(point.n, point.v);
+    point.NoL = glm::dot(point.n, point.l);
+    point.VoL = glm::dot(point.v, point.l);
+
+    // The half vector is not normalised first: its length is 2 v.h, and n x t keeps the digits that 1 - NoH^2 would
+    // cancel.
+    const dvec3 t = point.v + point.l;
+    const double length2 = glm::dot(t, t);
+    if (length2 > 0) {
+        const dvec3 nxt = glm::cross(point.n, t);
+        point.NoH = glm::dot(point.n, t) / std::sqrt(length2);
+        point.VoH = std::min(1.0, 0.5 * std::sqrt(length2));
+        point.sin2H = std::min(1.0, glm::dot(nxt, nxt) / length2);
+    } else {
+        point.NoH = 0;
+        point.VoH = 0;
+        point.sin2H = 1;
+    }
+
+    point.perceptualRoughness = perceptualRoughness;
+    point.alpha = std::max(perceptualRoughness * perceptualRoughness, kMinAlpha);
+    point.alphaT = point.alpha;
+    point.alphaB = point.alpha;
+    return point;
+}
+
+} // namespace torrance::brdf
