@@ -10,7 +10,7 @@ namespace {
 // Unpolarised reflectance from Snell's law and the two amplitudes (Born & Wolf, section 1.5.2), with the cosine c of
 // incidence. Their numerators c - n cos_t and n c - cos_t vanish as n goes to 1, so each is written as a difference of
 // squares over the sum:
-//   c^2 - (n cos_t)^2 = 1 - n^2,   (n c)^2 - cos_t^2 = (n^2 - 1)(c^2 (n^2 + 1) - 1) / n^2.
+//   c^2 - (n cos_t)^2 = 1 - n^2,   (n c)^2 - cos_t^2 = (n^2 - 1)(c^2 n^2 - sin^2) / n^2.
 double dielectric(double c, double n)
 {
     if (n == 0)
@@ -24,7 +24,7 @@ double dielectric(double c, double n)
     const double cosT = std::sqrt((m + c * c) / (n * n));
     const double perpendicular = m / ((c + n * cosT) * (c + n * cosT));
     const double sum = n * c + cosT;
-    const double parallel = m * (c * c * (n * n + 1.0) - 1.0) / (n * n * sum * sum);
+    const double parallel = m * (c * c * n * n - (1.0 - c) * (1.0 + c)) / (n * n * sum * sum);
     return 0.5 * (perpendicular * perpendicular + parallel * parallel);
 }
 
@@ -40,7 +40,7 @@ double conductor(double c, double eta, double k)
     const Complex u = std::sqrt(m + c * c);
     const Complex perpendicular = m / ((c + u) * (c + u));
     const Complex sum = n2 * c + u;
-    const Complex parallel = m * (c * c * (n2 + 1.0) - 1.0) / (sum * sum);
+    const Complex parallel = m * (c * c * n2 - (1.0 - c) * (1.0 + c)) / (sum * sum);
     return 0.5 * (std::norm(perpendicular) + std::norm(parallel));
 }
 

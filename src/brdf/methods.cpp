@@ -5,37 +5,13 @@
 #include "brdf/fresnel.h"
 #include "brdf/multiple_scattering.h"
 #include "brdf/visibility.h"
+#include "image/srgb.h"
+#include "image/tone_curves.h"
 
 #include <algorithm>
 
 namespace torrance::brdf {
 namespace {
-
-struct SlotNames
-{
-    Slot slot;
-    std::string_view name;
-    std::string_view prefix;
-    bool shadingFunction;
-};
-
-constexpr SlotNames kSlotNames[] = {
-    {Slot::distribution, "distribution", "D", true},
-    {Slot::visibility, "visibility", "V", true},
-    {Slot::fresnel, "fresnel", "F", true},
-    {Slot::diffuse, "diffuse", "Fd", true},
-    {Slot::multipleScattering, "multiple_scattering", "M", true},
-    {Slot::environmentDiffuse, "environment_diffuse", "Ed", false},
-    {Slot::environmentSpecular, "environment_specular", "Es", false},
-    {Slot::dfg, "dfg", "DFG", false},
-    {Slot::tone, "tone", "tone", false},
-    {Slot::transfer, "transfer", "transfer", false},
-};
-
-constexpr Slot kSlots[] = {
-    Slot::distribution,       Slot::visibility,          Slot::fresnel, Slot::diffuse, Slot::multipleScattering,
-    Slot::environmentDiffuse, Slot::environmentSpecular, Slot::dfg,     Slot::tone,    Slot::transfer,
-};
 
 constexpr Method kMethods[] = {
     {.slot = Slot::distribution,
@@ -225,35 +201,52 @@ constexpr Method kMethods[] = {
      .domain = "alpha >= 1e-4, NoV > 0",
      .reciprocal = false,
      .formula = NoFormula{}},
+
+    {.slot = Slot::tone,
+     .id = "khronos_neutral",
+     .citation = "Khronos PBR Neutral Tone Mapper, specification 1.0",
+     .approximates = "",
+     .domain = "all; NaN and negative count as 0",
+     .reciprocal = false,
+     .formula = static_cast<CurveFormula>(&tone_khronos_neutral)},
+    {.slot = Slot::tone,
+     .id = "aces_hill",
+     .citation = "Hill 2016, BakingLab, ACES.hlsl: fit of the RRT and the sRGB ODT",
+     .approximates = "the ACES reference and output transforms",
+     .domain = "all; NaN and negative count as 0",
+     .reciprocal = false,
+     .formula = static_cast<CurveFormula>(&tone_aces_hill)},
+    {.slot = Slot::tone,
+     .id = "agx",
+     .citation = "Sobotka's AgX, base look; Wrensch 2023, Minimal AgX Implementation",
+     .approximates = "AgX's measured curve, by a polynomial",
+     .domain = "all; NaN and negative count as 0",
+     .reciprocal = false,
+     .formula = static_cast<CurveFormula>(&tone_agx)},
+    {.slot = Slot::tone,
+     .id = "reinhard",
+     .citation = "Reinhard et al. 2002, eq. 3",
+     .approximates = "",
+     .domain = "all; NaN and negative count as 0",
+     .reciprocal = false,
+     .formula = static_cast<CurveFormula>(&tone_reinhard)},
+    {.slot = Slot::tone,
+     .id = "none",
+     .citation = "the identity: what lies above 1 is clipped when it is stored",
+     .approximates = "",
+     .domain = "display-linear colours, [0, 1]",
+     .reciprocal = false,
+     .formula = static_cast<CurveFormula>(&tone_none)},
+    {.slot = Slot::transfer,
+     .id = "srgb",
+     .citation = "IEC 61966-2-1:1999, section 5.2",
+     .approximates = "",
+     .domain = "all; negative gives 0, above 1 the power goes on",
+     .reciprocal = false,
+     .formula = CurveFormula(&transfer_srgb)},
 };
 
 } // namespace
-
-std::string_view slotName(Slot slot)
-{
-    return kSlotNames[static_cast<int>(slot)].name;
-}
-
-std::string_view slotPrefix(Slot slot)
-{
-    return kSlotNames[static_cast<int>(slot)].prefix;
-}
-
-bool hasShadingFunction(Slot slot)
-{
-    return kSlotNames[static_cast<int>(slot)].shadingFunction;
-}
-
-std::span<const Slot> allSlots()
-{
-    return kSlots;
-}
-
-std::optional<Slot> findSlot(std::string_view name)
-{
-    const auto* found = std::ranges::find(kSlotNames, name, &SlotNames::name);
-    return found == std::end(kSlotNames) ? std::nullopt : std::optional(found->slot);
-}
 
 std::span<const Method> allMethods()
 {

@@ -93,7 +93,9 @@ double V_kelemen(const ShadingPoint& point)
 // Neumann et al. 1999: 1 / max(NoL, NoV).
 double V_neumann(const ShadingPoint& point)
 {
-    return belowHorizon(point) ? 0.0 : 0.25 * std::min(1.0 / point.NoV, 1.0 / point.NoL);
+    return belowHorizon(point)
+               ? 0.0
+               : std::min(0.25 / (point.NoV + kLeastDenominator), 0.25 / (point.NoL + kLeastDenominator));
 }
 
 // G = NoV NoL, so that the denominator goes: Hoffman's course notes.

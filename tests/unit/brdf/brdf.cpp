@@ -1,0 +1,138 @@
+#include "brdf/brdf.h"
+
+#include "brdf/condition.h"
+#include "brdf/distribution.h"
+#include "brdf/visibility.h"
+#include "points.h"
+
+#include <gtest/gtest.h>
+
+namespace torrance::brdf {
+namespace {
+
+// The second form: glTF 2.0, Appendix B, "Implementation", transcribed term by term in a 64-bit mantissa.
+dvec3 appendixB(const ShadingPoint& point)
+{
+    const long double pi = 3.14159265358979323846264338328L;
+    const long double a2 = static_cast<long double>(point.alpha) * point.alpha;
+    const long double NoL = point.NoL, NoV = point.NoV, VoH = point.VoH;
+    const long double d = point.sin2H + static_cast<long double>(point.NoH) * point.NoH * a2; // NoH^2 (a^2 - 1) + 1
+    const long double D = a2 / (pi * d * d);
+    const long double V =
+        0.5L / (NoL * std::sqrt(NoV * NoV * (1 - a2) + a2) + NoV * std::sqrt(NoL * NoL * (1 - a2) + a2));
+    dvec3 result;
+    for (int channel = 0; channel < 3; ++channel) {
+        const long double base = point.baseColor[channel];
+        const long double metallic = point.metallic;
+        const long double black = 0;
+        const long double cDiff = base + (black - base) * metallic;
+        const long double f0 = 0.04L + (base - 0.04L) * metallic;
+        const long double F = f0 + (1 - f0) * std::pow(std::abs(1 - VoH), 5.0L);
+        result[channel] = static_cast<double>((1 - F) * cDiff / pi + F * D * V);
+    }
+    return result;
+}
+
+TEST(Brdf, GltfAtBothEndsOfMetallicIsTheSampleImplementationOfAppendixB)
+{
+    const Preset& gltf = *findPreset("gltf");
+    for (ShadingPoint point : gridOfPoints())
+        for (const double metallic : {0.0, 1.0}) {
+            point.metallic = metallic;
+            point.baseColor = dvec3(0.05, 0.5, 1.0);
+            const dvec3 value = evaluateBrdf(gltf, point);
+            const dvec3 expected = appendixB(point);
+            for (int channel = 0; channel < 3; ++channel)
+                EXPECT_NEAR(value[channel] / expected[channel], 1.0, 1e-12)
+                    << point.NoV << ' ' << point.NoL << ' ' << metallic;
+        }
+}
+
+// mix(dielectric_brdf, metal_brdf, metallic) is linear in metallic. The blended form of many viewers is not: it
+// multiplies two blends.
+TEST(Brdf, HalfMetalsAreTheMeanOfBothEnds)
+{
+    for (const Preset& preset : allPresets())
+        for (ShadingPoint point : gridOfPoints()) {
+            point.baseColor = dvec3(0.9, 0.6, 0.3);
+            point.metallic = 0;
+            const dvec3 dielectric = evaluateBrdf(preset, point);
+            point.metallic = 1;
+            const dvec3 metal = evaluateBrdf(preset, point);
+            point.metallic = 0.5;
+            const dvec3 value = evaluateBrdf(preset, point);
+            const dvec3 mean = (dielectric + metal) * 0.5;
+            EXPECT_LE(glm::length(value - mean), 1e-14 * glm::length(mean));
+        }
+}
+
+TEST(Brdf, ReflectsExactlyNothingBelowTheHorizonAndWithoutAHalfVector)
+{
+    for (const Preset& preset : allPresets()) {
+        EXPECT_EQ(evaluateBrdf(preset, makeShadingPoint({0, 0, 1}, {0.2, 0.3, -0.1}, {0, 0.1, 0.9}, 0.4)), dvec3(0));
+        EXPECT_EQ(evaluateBrdf(preset, makeShadingPoint({0, 0, 1}, {0, 0.1, 0.9}, {0.2, 0.3, -0.1}, 0.4)), dvec3(0));
+        EXPECT_EQ(evaluateBrdf(preset, makeShadingPoint({0, 0, 1}, {0, 1, 0}, {0, -1, 0}, 0.5)), dvec3(0));
+    }
+}
+
+TEST(Brdf, IsFiniteAtRoughnessZero)
+{
+    ShadingPoint mirror = makeShadingPoint({0, 0, 1}, {0, 0.28, 0.96}, {0, -0.28, 0.96}, 0.0);
+    mirror.metallic = 1;
+    // V = 1/(4 NoV NoL) for a mirror, D = 1/(pi kMinAlpha^2), F = 1
+    const double expected = 1.0 / (4 * 0.96 * 0.96) / (kPi * kMinAlpha * kMinAlpha);
+    EXPECT_NEAR(evaluateBrdf(*findPreset("gltf"), mirror).r / expected, 1.0, 1e-7);
+}
+
+TEST(Brdf, GltfIsReciprocal)
+{
+    const Preset& gltf = *findPreset("gltf");
+    for (const double NoV : {0.01, 0.3, 0.9})
+        for (const double NoL : {0.02, 0.5, 1.0})
+            for (const double roughness : {0.05, 0.4, 1.0}) {
+                ShadingPoint point = pointAt(NoV, NoL, 2.0, roughness);
+                ShadingPoint swapped = makeShadingPoint(point.n, point.l, point.v, roughness);
+                point.metallic = swapped.metallic = 0.3;
+                EXPECT_NEAR(evaluateBrdf(gltf, point).r / evaluateBrdf(gltf, swapped).r, 1.0, 1e-13);
+            }
+}
+
+// Known condition numbers: D of GGX at its peak goes as r^-4, so its exponent is 4; NoL enters Lambert's cosine law not
+// at all.
+TEST(Condition, IsTheExponentOfAPower)
+{
+    const Geometry at = {{0, 0, 1}, {0.6, 0, 0.8}, {-0.6, 0, 0.8}, 0.5};
+    const auto fourth = [](const Geometry& g) { return dvec3(std::pow(g.perceptualRoughness, -4)); };
+    EXPECT_NEAR(conditionNumber(fourth, at), 4.0, 1e-6);
+    const auto constant = [](const Geometry&) { return dvec3(0.3); };
+    EXPECT_EQ(conditionNumber(constant, at), 0.0);
+    const auto zero = [](const Geometry&) { return dvec3(0); };
+    EXPECT_EQ(conditionNumber(zero, at), 0.0);
+}
+
+// n = z: NoL = l.z / |l|. d log NoL / d log l.x = -l.x^2, and 1 - l.z^2 for l.z: their magnitudes sum to 2 (1 - NoL^2).
+// n's own z only scales n.
+TEST(Condition, SeesVectorsThroughTheirNormalisation)
+{
+    const Geometry at = {{0, 0, 2}, {0, 0, 1}, {0.6, 0, 0.8}, 0.5};
+    const auto cosine = [](const Geometry& g) {
+        return dvec3(makeShadingPoint(g.n, g.v, g.l, g.perceptualRoughness).NoL);
+    };
+    EXPECT_NEAR(conditionNumber(cosine, at), 2 * (1 - 0.64), 1e-6);
+}
+
+// GGX off its peak at small alpha: D ~ a^2 / sin^4, so r has exponent 4 and sin^2 has -2; sin is half the tilt, whose
+// own condition with respect to the components that make it is large where they cancel.
+TEST(Condition, GrowsWhereTheHighlightIsNarrow)
+{
+    const auto density = [](const Geometry& g) {
+        return dvec3(D_ggx(makeShadingPoint(g.n, g.v, g.l, g.perceptualRoughness)));
+    };
+    const dvec3 v = glm::normalize(dvec3(0.6, 0, 0.8));
+    const dvec3 l = glm::normalize(dvec3(-0.6 + 1e-4, 0, 0.8));
+    EXPECT_GT(conditionNumber(density, {{0, 0, 1}, v, l, 0.01}), 1e3);
+    EXPECT_LT(conditionNumber(density, {{0, 0, 1}, v, l, 0.8}), 10);
+}
+
+} // namespace
+} // namespace torrance::brdf

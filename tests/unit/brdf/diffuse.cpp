@@ -1,0 +1,141 @@
+#include "brdf/diffuse.h"
+
+#include "math/quadrature.h"
+#include "points.h"
+
+#include <gtest/gtest.h>
+
+namespace torrance::brdf {
+namespace {
+
+// Light returned under uniform light of radiance 1, for a white surface: integral of f NoL over the hemisphere. Half
+// the circle is integrated, in two pieces that meet at the azimuth where EON's s changes its sign (pi/2), and so is the
+// cosine at NoL = NoV, where its divisor changes hands.
+double furnace(const Method& method, double NoV, double roughness)
+{
+    static const QuadratureRule near = gaussLegendre(48, 0.0, kPi / 2);
+    static const QuadratureRule far = gaussLegendre(48, kPi / 2, kPi);
+    const auto overCosines = [&](double from, double to) {
+        // NoL = from + (to - from) x^2 (3 - 2 x): the square roots of 1 - cos^2 at the ends become smooth.
+        const QuadratureRule rule = gaussLegendre(64, 0.0, 1.0);
+        return integrate(rule, [&](double x) {
+            const double NoL = from + (to - from) * x * x * (3 - 2 * x);
+            const auto at = [&](double azimuth) { return valueOf(method, pointAt(NoV, NoL, azimuth, roughness)).r; };
+            return (to - from) * 6 * x * (1 - x) * NoL * 2 * (integrate(near, at) + integrate(far, at));
+        });
+    };
+    return overCosines(0.0, NoV) + overCosines(NoV, 1.0);
+}
+
+const Method& diffuseMethod(std::string_view id)
+{
+    return *findMethod(Slot::diffuse, id);
+}
+
+TEST(Diffuse, WhiteLambertReturnsAllLight)
+{
+    for (const double NoV : {0.01, 0.4, 0.999})
+        EXPECT_NEAR(furnace(diffuseMethod("lambert"), NoV, 0.5), 1.0, 1e-10);
+}
+
+// Portsmouth et al. 2025: albedo 1 gives E = 1 at every angle and roughness.
+TEST(Diffuse, WhiteEonReturnsAllLight)
+{
+    for (const double NoV : {0.001, 0.01, 0.1, 0.4, 0.8, 0.999})
+        for (const double roughness : {0.0, 1e-6, 0.1, 0.5, 1.0})
+            EXPECT_NEAR(furnace(diffuseMethod("eon"), NoV, roughness), 1.0, 1e-7) << NoV << ' ' << roughness;
+}
+
+// The paper's quartic misses the exact albedo by less than 0.1 %, and what it misses at one direction is multiplied by
+// the share lost at the other.
+TEST(Diffuse, WhiteEonWithTheFittedAlbedoReturnsNearlyAllLight)
+{
+    for (const double NoV : {0.001, 0.1, 0.4, 0.8, 0.999})
+        for (const double roughness : {0.1, 0.5, 1.0})
+            EXPECT_NEAR(furnace(diffuseMethod("eon_approx"), NoV, roughness), 1.0, 1e-3) << NoV << ' ' << roughness;
+}
+
+// Burley's model is known not to keep energy: at r = 1 and grazing view it returns more than it receives, at r = 0
+// less. Both ends follow from its formula: E(NoV) = 2 integral of (1 + a x^5)(1 + a y^5) NoL dNoL for a = F_D90 - 1 of
+// the angle between v and h.
+TEST(Diffuse, BurleyGainsAtGrazingWhenRoughAndLosesWhenSmooth)
+{
+    EXPECT_GT(furnace(diffuseMethod("burley"), 0.02, 1.0), 1.0);
+    EXPECT_LT(furnace(diffuseMethod("burley"), 0.02, 0.0), 1.0);
+    // r = 0: a = -1/2 everywhere, so E(1) = 2 integral (1 - x^5/2)(1 - x) dx = 1 - (1/6 - 1/7), x = 1 - NoL
+    EXPECT_NEAR(furnace(diffuseMethod("burley"), 1.0 - 1e-12, 0.0), 1.0 - (1.0 / 6.0 - 1.0 / 7.0), 1e-9);
+}
+
+TEST(Diffuse, RoughnessZeroIsLambert)
+{
+    for (ShadingPoint point : gridOfPoints()) {
+        point.perceptualRoughness = 0;
+        point.baseColor = dvec3(0.2, 0.5, 1.0);
+        for (const char* id : {"eon", "eon_approx"})
+            EXPECT_LE(glm::length(valueOf(diffuseMethod(id), point) - Fd_lambert(point)), 1e-16) << id;
+    }
+}
+
+TEST(Diffuse, IsReciprocalNonNegativeAndDarkBelowTheHorizon)
+{
+    for (const Method& method : allMethods()) {
+        if (method.slot != Slot::diffuse)
+            continue;
+        for (const ShadingPoint& point : gridOfPoints()) {
+            const double value = valueOf(method, point).r;
+            EXPECT_TRUE(std::isfinite(value) && value >= 0)
+                << method.id << ' ' << point.NoV << ' ' << point.NoL << ' ' << point.VoH;
+            ShadingPoint swapped = point;
+            std::swap(swapped.NoV, swapped.NoL);
+            EXPECT_NEAR(valueOf(method, swapped).r, value, 1e-15) << method.id;
+        }
+        ShadingPoint below = pointAt(0.5, 0.5, 1.0, 0.5);
+        below.NoL = -0.1;
+        EXPECT_EQ(valueOf(method, below), dvec3(0)) << method.id;
+        below.NoL = 0.5;
+        below.NoV = 0;
+        EXPECT_EQ(valueOf(method, below), dvec3(0)) << method.id;
+    }
+}
+
+// The second form: the paper's own order of terms, with the tangent and the differences 1 - E as printed, in a 64-bit
+// mantissa.
+long double eonOfThePaper(long double NoV, long double NoL, long double VoL, long double r, long double rho)
+{
+    constexpr long double pi = 3.14159265358979323846264338328L;
+    const long double c1 = 0.5L - 2 / (3 * pi);
+    const long double c2 = 2 / 3.0L - 28 / (15 * pi);
+    const long double A = 1 / (1 + c1 * r);
+    const long double B = r * A;
+    const auto E = [&](long double mu) {
+        const long double theta = std::acos(mu);
+        const long double s = std::sin(theta);
+        const long double G = s * (theta - s * mu) + (2 / 3.0L) * (s / mu * (1 - s * s * s) - s);
+        return A + B / pi * G;
+    };
+    const long double s = VoL - NoV * NoL;
+    const long double sOverT = s > 0 ? s / std::max(NoV, NoL) : s;
+    const long double average = A * (1 + c2 * r);
+    const long double multiple =
+        rho * rho * average / (1 - rho * (1 - average)) * (1 - E(NoV)) * (1 - E(NoL)) / (1 - average);
+    return (rho * A * (1 + r * sOverT) + multiple) / pi;
+}
+
+TEST(Diffuse, EonIsThePapersFormula)
+{
+    for (ShadingPoint point : gridOfPoints()) {
+        if (point.perceptualRoughness < 0.1 || point.NoV < 0.01 || point.NoL < 0.01)
+            continue; // where the printed order itself cancels
+        point.baseColor = dvec3(0.1, 0.5, 1.0);
+        const dvec3 value = Fd_eon(point);
+        for (int channel = 0; channel < 3; ++channel) {
+            const auto expected = static_cast<double>(
+                eonOfThePaper(point.NoV, point.NoL, point.VoL, point.perceptualRoughness, point.baseColor[channel]));
+            EXPECT_NEAR(value[channel], expected, 1e-14)
+                << point.NoV << ' ' << point.NoL << ' ' << point.perceptualRoughness;
+        }
+    }
+}
+
+} // namespace
+} // namespace torrance::brdf

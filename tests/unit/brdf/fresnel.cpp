@@ -1,0 +1,155 @@
+#include "brdf/fresnel.h"
+
+#include "points.h"
+
+#include <complex>
+#include <gtest/gtest.h>
+
+namespace torrance::brdf {
+namespace {
+
+double dielectricAt(double cosine, double ior)
+{
+    ShadingPoint point;
+    point.VoH = cosine;
+    point.ior = ior;
+    return F_exact_dielectric(point).g;
+}
+
+double conductorAt(double cosine, double eta, double k)
+{
+    ShadingPoint point;
+    point.VoH = cosine;
+    point.eta = dvec3(eta);
+    point.k = dvec3(k);
+    return F_exact_conductor(point).g;
+}
+
+// The second form: Fresnel's amplitudes with their differences left as they are, in a 64-bit mantissa.
+double amplitudes(double cosine, double eta, double k)
+{
+    using Complex = std::complex<long double>;
+    const Complex n(eta, k);
+    const long double c = cosine;
+    const Complex cosT = std::sqrt(Complex(1) - (1 - c * c) / (n * n));
+    const Complex s = (c - n * cosT) / (c + n * cosT);
+    const Complex p = (n * c - cosT) / (n * c + cosT);
+    return static_cast<double>((std::norm(s) + std::norm(p)) / 2);
+}
+
+TEST(Fresnel, DielectricIsTheMeanOfBothPolarisations)
+{
+    for (const double ior : {0.4, 0.75, 0.99, 1.01, 1.33, 1.5, 2.4, 10.0})
+        for (const double cosine : {1e-6, 0.01, 0.2, 0.5, 0.67, 0.8, 0.95, 1.0}) {
+            const double expected = amplitudes(cosine, ior, 0.0);
+            EXPECT_NEAR(dielectricAt(cosine, ior) / expected, 1.0, 1e-12) << ior << ' ' << cosine;
+        }
+}
+
+TEST(Fresnel, ConductorIsTheMeanOfBothPolarisations)
+{
+    for (const double eta : {0.05, 0.2, 0.9, 1.0, 1.5, 3.0})
+        for (const double k : {0.01, 0.5, 1.9, 3.9, 7.3})
+            for (const double cosine : {1e-6, 0.01, 0.2, 0.5, 0.8, 0.95, 1.0})
+                EXPECT_NEAR(conductorAt(cosine, eta, k) / amplitudes(cosine, eta, k), 1.0, 1e-12)
+                    << eta << ' ' << k << ' ' << cosine;
+}
+
+TEST(Fresnel, ConductorWithoutAbsorptionIsADielectric)
+{
+    for (const double index : {0.4, 0.75, 1.0, 1.2, 1.5, 2.4})
+        for (const double cosine : {0.0, 0.01, 0.3, 0.6, 0.9, 1.0})
+            EXPECT_NEAR(conductorAt(cosine, index, 0.0), dielectricAt(cosine, index), 1e-14) << index << ' ' << cosine;
+}
+
+TEST(Fresnel, NormalReflectanceIsTheSquareOfTheIndexRatio)
+{
+    for (const double ior : {0.5, 1.33, 1.5, 2.0, 3.0})
+        EXPECT_NEAR(dielectricAt(1.0, ior), std::pow((ior - 1) / (ior + 1), 2), 1e-15);
+    EXPECT_NEAR(dielectricAt(1.0, 1.5), 0.04, 1e-16) << "the reflectance that glTF takes for index 1.5";
+}
+
+TEST(Fresnel, IndexOneReflectsExactlyNothing)
+{
+    for (const double cosine : {0.0, 1e-12, 1e-3, 0.5, 1.0}) {
+        EXPECT_EQ(dielectricAt(cosine, 1.0), 0.0);
+        EXPECT_EQ(conductorAt(cosine, 1.0, 0.0), 0.0);
+    }
+    ShadingPoint grazing;
+    grazing.VoH = 0;
+    grazing.f0 = dvec3(0);
+    EXPECT_EQ(F_schlick(grazing), dvec3(1)) << "Schlick's term still rises to one, as it is written";
+}
+
+// To first order in n - 1, F(cos) = ((n - 1) / 2)^2 (1 + tan^4) / cos^... : both amplitudes are (n - 1)/2 sec^2 and (n
+// - 1)/2 (1 - tan^2).
+TEST(Fresnel, VanishesAsTheSquareOfTheIndexStep)
+{
+    const double step = 1e-6;
+    for (const double cosine : {0.3, 0.6, 1.0}) {
+        const double sec2 = 1 / (cosine * cosine);
+        const double expected = step * step / 8 * (sec2 * sec2 + (2 - sec2) * (2 - sec2));
+        EXPECT_NEAR(dielectricAt(cosine, 1 + step) / expected, 1.0, 4e-5) << cosine;
+    }
+}
+
+TEST(Fresnel, IndexZeroMeansInfinite)
+{
+    for (const double cosine : {0.0, 0.3, 1.0})
+        EXPECT_EQ(dielectricAt(cosine, 0.0), 1.0);
+    EXPECT_NEAR(dielectricAt(0.5, 1e6), 1.0, 1e-5) << "as the limit has it: 1 - 2 (c + 1/c) / n";
+}
+
+TEST(Fresnel, ReflectsAllBeyondTheCriticalAngle)
+{
+    const double ior = 0.75;
+    const double critical = std::sqrt(1 - ior * ior); // cosine: sin = n
+    EXPECT_EQ(dielectricAt(critical * 0.999, ior), 1.0);
+    EXPECT_EQ(dielectricAt(0.0, ior), 1.0);
+    EXPECT_LT(dielectricAt(critical * 1.001, ior), 1.0);
+    EXPECT_GT(dielectricAt(critical * (1 + 1e-13), ior), 1 - 1e-5) << "continuous there";
+}
+
+TEST(Fresnel, ParallelLightVanishesAtBrewstersAngle)
+{
+    const double ior = 1.5;
+    const double cosine = 1 / std::sqrt(1 + ior * ior); // tan = n
+    const double perpendicular = std::pow((ior * ior - 1) / (ior * ior + 1), 2);
+    EXPECT_NEAR(dielectricAt(cosine, ior), perpendicular / 2, 1e-15);
+}
+
+TEST(Fresnel, EverythingIsReflectedAtGrazing)
+{
+    EXPECT_DOUBLE_EQ(dielectricAt(0.0, 1.5), 1.0);
+    EXPECT_NEAR(conductorAt(0.0, 0.2, 3.9), 1.0, 1e-15);
+    ShadingPoint point;
+    point.VoH = 0;
+    point.f0 = dvec3(0.3, 0.5, 0.7);
+    EXPECT_EQ(F_schlick(point), dvec3(1));
+    point.VoH = 1;
+    EXPECT_EQ(F_schlick(point), point.f0);
+    point.f90 = dvec3(0); // a specular weight of zero takes the grazing term with it
+    point.f0 = dvec3(0);
+    point.VoH = 0.1;
+    EXPECT_EQ(F_schlick(point), dvec3(0));
+}
+
+// Beyond the critical angle F is 1 up to the rounding of u^2, which the grid makes as small as 1e-2 of its terms.
+TEST(Fresnel, StaysWithinZeroAndOne)
+{
+    for (const Method& method : allMethods())
+        if (method.slot == Slot::fresnel)
+            for (ShadingPoint point : gridOfPoints())
+                for (const double eta : {0.05, 0.5, 1.0, 1.5, 4.0})
+                    for (const double k : {0.0, 1e-9, 1.0, 9.0}) {
+                        point.ior = eta;
+                        point.eta = dvec3(eta);
+                        point.k = dvec3(k);
+                        const double F = valueOf(method, point).b;
+                        EXPECT_TRUE(F >= 0 && F <= 1 + 1e-13)
+                            << method.id << ' ' << eta << ' ' << k << ' ' << point.VoH;
+                    }
+}
+
+} // namespace
+} // namespace torrance::brdf
