@@ -1,10 +1,12 @@
 #include "app/commands.h"
 
+#include "app/command_methods.h"
+
 namespace torrance {
 
 std::vector<Command> allCommands()
 {
-    return {};
+    return {methodsCommand()};
 }
 
 } // namespace torrance

@@ -1,0 +1,138 @@
+#include "app/command_methods.h"
+
+#include "brdf/method.h"
+#include "brdf/selection.h"
+#include "core/standard_output.h"
+#include "files/json_write.h"
+
+#include <CLI/CLI.hpp>
+#include <fmt/format.h>
+
+namespace torrance {
+namespace {
+
+using namespace brdf;
+
+struct Options
+{
+    bool markdown = false;
+};
+
+std::string formulaOf(const Method& method)
+{
+    return std::holds_alternative<NoFormula>(method.formula) ? "" : functionName(method);
+}
+
+std::string glslOf(const Method& method)
+{
+    return hasShadingFunction(method.slot) ? "shaders/" + glslPath(method) : "";
+}
+
+/// Ids of the presets that use the method: "standard, gltf".
+std::string presetsOf(const Method& method)
+{
+    std::string ids;
+    for (const Preset& preset : allPresets())
+        if (preset[method.slot] == &method)
+            ids += (ids.empty() ? "" : ", ") + std::string(preset.id);
+    return ids;
+}
+
+std::string plainText()
+{
+    std::string text;
+    for (const Slot slot : allSlots()) {
+        text += fmt::format("{}\n", slotName(slot));
+        for (const Method& method : allMethods())
+            if (method.slot == slot)
+                text += fmt::format("  {:<18} {}\n", method.id, method.citation);
+    }
+    text += "presets\n";
+    for (const Preset& preset : allPresets())
+        text += fmt::format("  {:<18} {}\n", preset.id, preset.description);
+    return text;
+}
+
+std::string markdownOfSlot(Slot slot)
+{
+    std::string text = fmt::format("\n## {}\n\n", slotName(slot));
+    text += "| method | source | approximates | domain | reciprocal | preset | functions "
+            "|\n|---|---|---|---|---|---|---|\n";
+    for (const Method& method : allMethods()) {
+        if (method.slot != slot)
+            continue;
+        std::string functions = formulaOf(method).empty() ? "judged by image" : "`" + formulaOf(method) + "`";
+        if (!glslOf(method).empty())
+            functions += ", `" + glslOf(method) + "`";
+        text += fmt::format("| `{}` | {} | {} | {} | {} | {} | {} |\n", method.id, method.citation, method.approximates,
+                            method.domain, method.reciprocal ? "yes" : "no", presetsOf(method), functions);
+    }
+    return text;
+}
+
+std::string markdown()
+{
+    std::string text = "# Shading methods\n\n"
+                       "Written by `torrance methods --markdown` from the registry (`src/brdf/methods.cpp`). An empty "
+                       "*approximates* means that the method is the exact form of what it names.\n\n"
+                       "| preset | |\n|---|---|\n";
+    for (const Preset& preset : allPresets())
+        text += fmt::format("| `{}` | {} |\n", preset.id, preset.description);
+    for (const Slot slot : allSlots())
+        text += markdownOfSlot(slot);
+    return text;
+}
+
+Json toJson(const Method& method)
+{
+    return Json::Object{{"slot", std::string(slotName(method.slot))},
+                        {"id", std::string(method.id)},
+                        {"citation", std::string(method.citation)},
+                        {"approximates", std::string(method.approximates)},
+                        {"domain", std::string(method.domain)},
+                        {"reciprocal", method.reciprocal},
+                        {"formula", formulaOf(method)},
+                        {"glsl", glslOf(method)}};
+}
+
+Json toJson(const Preset& preset)
+{
+    Json::Object object = {{"id", std::string(preset.id)}, {"description", std::string(preset.description)}};
+    for (const Slot slot : allSlots())
+        if (const Method* method = preset[slot])
+            object.emplace_back(slotName(slot), std::string(method->id));
+    return object;
+}
+
+Json registryJson()
+{
+    Json::Array methods, presets;
+    for (const Method& method : allMethods())
+        methods.push_back(toJson(method));
+    for (const Preset& preset : allPresets())
+        presets.push_back(toJson(preset));
+    return Json::Object{{"methods", std::move(methods)}, {"presets", std::move(presets)}};
+}
+
+void declare(CLI::App& app, Options& options)
+{
+    app.add_flag("--markdown", options.markdown, "Print the tables of docs/methods.md");
+}
+
+ExitCode run(const Options& options, const GlobalOptions& global)
+{
+    if (!global.json.empty())
+        writeJson(global.json, registryJson());
+    if (global.json != "-") // standard output holds one result
+        writeStandardOutput(options.markdown ? markdown() : plainText());
+    return ExitCode::success;
+}
+
+} // namespace
+
+Command methodsCommand()
+{
+    return makeCommand<Options>("methods", "List the shading methods and presets that can be chosen", declare, run);
+}
+
+} // namespace torrance

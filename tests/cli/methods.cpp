@@ -1,0 +1,43 @@
+#include "program.h"
+
+#include <fstream>
+#include <gtest/gtest.h>
+#include <sstream>
+
+namespace torrance::test {
+namespace {
+
+std::string contentOf(const std::string& path)
+{
+    std::ostringstream text;
+    text << std::ifstream(path).rdbuf();
+    return text.str();
+}
+
+TEST(Methods, ListsSlotsMethodsAndPresets)
+{
+    const Outcome outcome = runTorrance({"methods"});
+    EXPECT_EQ(outcome.exitCode, 0);
+    EXPECT_NE(outcome.output.find("distribution\n  ggx "), std::string::npos) << outcome.output;
+    EXPECT_NE(outcome.output.find("Heitz 2014"), std::string::npos);
+    EXPECT_NE(outcome.output.find("presets\n  standard "), std::string::npos);
+}
+
+TEST(Methods, TheGeneratedPageIsCurrent)
+{
+    EXPECT_EQ(runTorrance({"methods", "--markdown"}).output, contentOf(TORRANCE_SOURCE_DIR "/docs/methods.md"))
+        << "run: torrance methods --markdown > docs/methods.md";
+}
+
+TEST(Methods, WritesTheRegistryAsJson)
+{
+    const TestFolder folder;
+    const Outcome toFile = runTorrance({"methods", "--json", folder.file("methods.json")});
+    EXPECT_EQ(toFile.exitCode, 0);
+    const std::string json = contentOf(folder.file("methods.json"));
+    EXPECT_NE(json.find("\"glsl\": \"shaders/brdf/distribution/ggx.glsl\""), std::string::npos) << json;
+    EXPECT_EQ(runTorrance({"--json", "-", "methods"}).output, json) << "alone on standard output";
+}
+
+} // namespace
+} // namespace torrance::test
