@@ -66,28 +66,28 @@ double cloudNoise(double x, double y, int periodX, int periodY, std::uint32_t se
 NearestPoints nearestPoints(double x, double y, int period, std::uint32_t seed)
 {
     const dvec2 here(x, y);
-    const int ix = static_cast<int>(std::floor(x));
-    const int iy = static_cast<int>(std::floor(y));
-    NearestPoints result{std::numeric_limits<double>::max(), std::numeric_limits<double>::max(), 0, 0};
-    dvec2 nearest(0.0);
-    const auto visit = [&](const auto& see) {
-        for (int dy = -2; dy <= 2; ++dy)
-            for (int dx = -2; dx <= 2; ++dx)
-                see(ix + dx, iy + dy, cellPoint(ix + dx, iy + dy, period, seed));
+    const auto visit = [&](int centreX, int centreY, const auto& see) {
+        for (int cy = centreY - 1; cy <= centreY + 1; ++cy)
+            for (int cx = centreX - 1; cx <= centreX + 1; ++cx)
+                see(cx, cy, cellPoint(cx, cy, period, seed));
     };
-    visit([&](int cx, int cy, const dvec2& point) {
-        const double distance = glm::length(point - here);
-        if (distance < result.first) {
-            result = {distance, result.edge, wrap(cx, period), wrap(cy, period)};
+    double squared = std::numeric_limits<double>::max();
+    dvec2 nearest(0.0);
+    ivec2 cell(0);
+    visit(static_cast<int>(std::floor(x)), static_cast<int>(std::floor(y)), [&](int cx, int cy, const dvec2& point) {
+        const double candidate = glm::dot(point - here, point - here);
+        if (candidate < squared) {
+            squared = candidate;
             nearest = point;
+            cell = ivec2(cx, cy);
         }
     });
-    visit([&](int, int, const dvec2& point) {
-        if (point != nearest) // distance to the line halfway between the two points
-            result.edge =
-                std::min(result.edge, glm::dot(0.5 * (nearest + point) - here, glm::normalize(point - nearest)));
+    double edge = std::numeric_limits<double>::max();
+    visit(cell.x, cell.y, [&](int cx, int cy, const dvec2& point) {
+        if (ivec2(cx, cy) != cell) // distance to the line halfway between the two points
+            edge = std::min(edge, glm::dot(0.5 * (nearest + point) - here, glm::normalize(point - nearest)));
     });
-    return result;
+    return {std::sqrt(squared), edge, wrap(cell.x, period), wrap(cell.y, period)};
 }
 
 } // namespace torrance::assets

@@ -17,17 +17,20 @@ Surface superellipsoid(const dvec3& radii, double exponentAround, double exponen
     const auto at = [=](double u, double v) {
         const double around = 2.0 * kPi * u;
         const double up = kPi * (0.5 - v);
-        const double s = signedPower(std::cos(up), exponentUp);
+        const double ring = v <= 0.0 || v >= 1.0 ? 0.0 : std::cos(up); // poles are points
+        const double s = signedPower(ring, exponentUp);
         const dvec3 position =
             radii * dvec3(s * signedPower(std::sin(around), exponentAround), signedPower(std::sin(up), exponentUp),
                           s * signedPower(std::cos(around), exponentAround));
-        const double n = std::pow(std::max(std::cos(up), 0.0), 2.0 - exponentUp);
-        const dvec3 normal =
-            dvec3(n * signedPower(std::sin(around), 2.0 - exponentAround), signedPower(std::sin(up), 2.0 - exponentUp),
-                  n * signedPower(std::cos(around), 2.0 - exponentAround)) /
-            radii;
-        return SurfacePoint{position, glm::normalize(normal), dvec3(std::cos(around), 0.0, -std::sin(around)),
-                            dvec2(u, v)};
+        const double n = signedPower(ring, 2.0 - exponentUp);
+        const dvec3 normal = glm::normalize(dvec3(n * signedPower(std::sin(around), 2.0 - exponentAround),
+                                                  signedPower(std::sin(up), 2.0 - exponentUp),
+                                                  n * signedPower(std::cos(around), 2.0 - exponentAround)) /
+                                            radii);
+        // Going around is level, so it is along the level line across the normal.
+        const dvec3 tangent = ring > 0.0 ? glm::normalize(dvec3(normal.z, 0.0, -normal.x))
+                                         : dvec3(std::cos(around), 0.0, -std::sin(around));
+        return SurfacePoint{position, normal, tangent, dvec2(u, v)};
     };
     return {at, evenSteps(columns), evenSteps(rows)};
 }
