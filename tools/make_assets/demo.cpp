@@ -1,11 +1,20 @@
 #include "make_assets/demo.h"
 
+#include "core/atomic_write.h"
+#include "files/image_encoders.h"
 #include "make_assets/gltf_file.h"
 #include "make_assets/occlusion.h"
-#include "make_assets/png_file.h"
 #include "make_assets/textures.h"
 
 namespace torrance::assets {
+namespace {
+
+void writePng(const std::filesystem::path& path, const Image& picture)
+{
+    writeFile(path, encodePng(picture, 8));
+}
+
+} // namespace
 
 void writeDemo(const std::filesystem::path& folder, const Image& panorama)
 {

@@ -55,7 +55,7 @@ void smooth(std::vector<double>& values, int width, int height)
         }
 }
 
-void bakeChart(Picture& atlas, const DemoObject& object, const Surface& surface, const Chart& chart,
+void bakeChart(Image& atlas, const DemoObject& object, const Surface& surface, const Chart& chart,
                const ShadowRays& rays, const LightDirections& lights)
 {
     std::vector<double> values(static_cast<std::size_t>(chart.width * chart.height));
@@ -71,18 +71,17 @@ void bakeChart(Picture& atlas, const DemoObject& object, const Surface& surface,
     smooth(values, chart.width, chart.height);
     for (int y = 0; y < chart.height; ++y)
         for (int x = 0; x < chart.width; ++x)
-            atlas.bytes[static_cast<std::size_t>((chart.y + y) * atlas.width + chart.x + x)] =
-                static_cast<std::uint8_t>(std::lround(255.0 * values[static_cast<std::size_t>(y * chart.width + x)]));
+            *atlas.at(chart.x + x, chart.y + y) =
+                static_cast<float>(values[static_cast<std::size_t>(y * chart.width + x)]);
 }
 
 } // namespace
 
-Picture bakeOcclusion(const DemoScene& scene, const std::vector<std::vector<Chart>>& charts, const Image& panorama)
+Image bakeOcclusion(const DemoScene& scene, const std::vector<std::vector<Chart>>& charts, const Image& panorama)
 {
     const ShadowRays rays(scene);
     const LightDirections lights(panorama);
-    Picture atlas{kAtlasSize, kAtlasSize, 1, {}};
-    atlas.bytes.assign(static_cast<std::size_t>(kAtlasSize) * kAtlasSize, 255);
+    Image atlas(kAtlasSize, kAtlasSize, 1, 1.0f);
     for (std::size_t i = 0; i < scene.objects.size(); ++i)
         for (std::size_t j = 0; j < scene.objects[i].parts.size(); ++j)
             bakeChart(atlas, scene.objects[i], scene.objects[i].parts[j].surface, charts[i][j], rays, lights);

@@ -10,6 +10,6 @@ namespace torrance::assets {
 
 /// One grey picture for the whole scene: visible over total cosine-weighted light of `panorama`, by rays. The renderer
 /// draws no shadows; as glTF's occlusion this puts the objects on the ground that they stand on.
-Picture bakeOcclusion(const DemoScene& scene, const std::vector<std::vector<Chart>>& charts, const Image& panorama);
+Image bakeOcclusion(const DemoScene& scene, const std::vector<std::vector<Chart>>& charts, const Image& panorama);
 
 } // namespace torrance::assets

@@ -5,7 +5,7 @@
 
 namespace torrance::assets {
 
-Picture glazeColor(int size)
+Image glazeColor(int size)
 {
     return makePicture(size, size, 3, [](double u, double v) {
         const double run = v + 0.10 * (cloudNoise(u * 5, v * 2, 5, 2, 91) - 0.5);

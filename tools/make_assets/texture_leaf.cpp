@@ -27,7 +27,7 @@ double veins(double across, double t)
 
 } // namespace
 
-Picture leafColor(int size)
+Image leafColor(int size)
 {
     return makePicture(size / 2, size, 4, [size](double u, double v) {
         const double across = u - 0.5;

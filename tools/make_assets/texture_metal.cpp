@@ -19,7 +19,7 @@ double dentHeight(double u, double v)
 
 } // namespace
 
-Picture hammeredNormal(int size)
+Image hammeredNormal(int size)
 {
     return makePicture(size, size, 3, [size](double u, double v) {
         const double step = 0.75 / size;
@@ -31,7 +31,7 @@ Picture hammeredNormal(int size)
     });
 }
 
-Picture brushedRoughness(int size)
+Image brushedRoughness(int size)
 {
     return makePicture(size, size, 3, [](double u, double v) {
         const double broad = cloudNoise(u * 2, v * 60, 2, 60, 71);
@@ -40,7 +40,7 @@ Picture brushedRoughness(int size)
     });
 }
 
-Picture perforatedAlpha(int size)
+Image perforatedAlpha(int size)
 {
     return makePicture(size, size, 4, [size](double u, double v) {
         const double height = std::sqrt(3.0);

@@ -44,7 +44,7 @@ double strokeDistance(const dvec2& place, const std::array<dvec2, 2>& line)
 
 } // namespace
 
-Picture numerals(int height)
+Image numerals(int height)
 {
     return makePicture(2 * height, height, 3, [height](double u, double v) {
         constexpr std::string_view kYear = "1967";

@@ -35,7 +35,7 @@ Chip chipAt(double u, double v, int cells, double sharpness, double share, std::
 
 } // namespace
 
-Picture terrazzoColor(int size)
+Image terrazzoColor(int size)
 {
     return makePicture(size, size, 3, [size](double u, double v) {
         const double cloud = cloudNoise(u * 6, v * 6, 6, 6, 11) - 0.5;

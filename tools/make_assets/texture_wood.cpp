@@ -21,7 +21,7 @@ double woodDarkness(double u, double v)
 
 } // namespace
 
-Picture woodColor(int size)
+Image woodColor(int size)
 {
     return makePicture(size, size, 3, [](double u, double v) {
         const dvec3 light(0.70, 0.49, 0.32);
@@ -31,7 +31,7 @@ Picture woodColor(int size)
     });
 }
 
-Picture woodRoughness(int size)
+Image woodRoughness(int size)
 {
     return makePicture(size, size, 3,
                        [](double u, double v) { return dvec4(0.0, 0.38 + 0.22 * woodDarkness(u, v), 0.0, 1.0); });
