@@ -1,0 +1,164 @@
+#include "prepare/mips.h"
+
+#include "image/srgb.h"
+#include "math/vector.h"
+
+#include <array>
+#include <cmath>
+#include <cstdint>
+#include <cstring>
+#include <gtest/gtest.h>
+#include <span>
+
+namespace torrance {
+namespace {
+
+using Code = std::array<int, 4>;
+
+TextureImage image(int width, int height, const std::vector<Code>& codes, TexelFormat format = TexelFormat::rgba8)
+{
+    TextureImage out{"test", width, height, format, {}};
+    for (const Code& texel : codes)
+        for (const int code : texel) {
+            const auto value = static_cast<std::uint16_t>(code);
+            const auto bytes = std::as_bytes(std::span(&value, 1));
+            out.texels.insert(out.texels.end(), bytes.begin(), bytes.begin() + (format == TexelFormat::rgba8 ? 1 : 2));
+        }
+    return out;
+}
+
+Code codeAt(const TextureImage& picture, int x, int y)
+{
+    Code out{};
+    const std::size_t size = bytesPerTexel(picture.format) / 4;
+    for (std::size_t c = 0; c < 4; ++c) {
+        std::uint16_t value = 0;
+        std::memcpy(&value, picture.texels.data() + (static_cast<std::size_t>(y * picture.width + x) * 4 + c) * size,
+                    size);
+        out[c] = value;
+    }
+    return out;
+}
+
+TEST(Mips, EndAtOneTexel)
+{
+    EXPECT_EQ(mipCount(1, 1), 1);
+    EXPECT_EQ(mipCount(5, 3), 3); // 5x3, 2x1, 1x1
+    EXPECT_EQ(mipCount(4096, 1), 13);
+    const auto levels = makeMips(image(5, 3, std::vector<Code>(15, Code{10, 20, 30, 40})), {TexelContent::data});
+    ASSERT_EQ(levels.size(), 2u);
+    EXPECT_EQ(levels[0].width, 2);
+    EXPECT_EQ(levels[0].height, 1);
+    EXPECT_EQ(levels[1].width, 1);
+    EXPECT_EQ(codeAt(levels[1], 0, 0), (Code{10, 20, 30, 40})) << "an even picture stays even";
+    EXPECT_TRUE(makeMips(image(1, 1, {{1, 2, 3, 4}}), {}).empty());
+}
+
+TEST(Mips, EveryCodeOfAnEvenPictureSurvives)
+{
+    for (const TexelContent content : {TexelContent::color, TexelContent::data})
+        for (int code = 0; code < 256; ++code) {
+            const Code texel{code, 255 - code, code, code};
+            EXPECT_EQ(codeAt(makeMips(image(3, 3, std::vector<Code>(9, texel)), {content})[0], 0, 0), texel);
+        }
+    for (int code = 0; code < 65536; code += 257)
+        EXPECT_EQ(
+            codeAt(makeMips(image(2, 1, std::vector<Code>(2, Code{code, 0, code, code}), TexelFormat::rgba16), {})[0],
+                   0, 0),
+            (Code{code, 0, code, code}));
+}
+
+TEST(Mips, ColourIsAveragedAsLightAlphaAsItIs)
+{
+    // Half black, half white is half of the light: sRGB 187.516 (the curve's own value of 0.5); alpha 127.5 rounds to
+    // even.
+    const auto level = makeMips(image(2, 1, {{0, 0, 255, 0}, {255, 255, 255, 255}}), {TexelContent::color})[0];
+    EXPECT_EQ(codeAt(level, 0, 0), (Code{188, 188, 255, 128}));
+    const auto data = makeMips(image(2, 1, {{0, 0, 255, 0}, {255, 255, 255, 255}}), {TexelContent::data})[0];
+    EXPECT_EQ(codeAt(data, 0, 0), (Code{128, 128, 255, 128}));
+}
+
+TEST(Mips, EightBitRoundingIsThatOfTheExactCurve)
+{
+    // Every mean of two codes, against the curve in double.
+    for (int a = 0; a < 256; ++a)
+        for (int b = a; b < 256; b += 7) {
+            const double mean = 0.5 * (srgbDecode(a / 255.0) + srgbDecode(b / 255.0));
+            const double exact = 255.0 * srgbEncode(mean);
+            const int code =
+                codeAt(makeMips(image(2, 1, {{a, 0, 0, 255}, {b, 0, 0, 255}}), {TexelContent::color})[0], 0, 0)[0];
+            EXPECT_NEAR(code, exact, 0.5 + 1e-4) << a << " and " << b; // 1e-4: means lie in float
+        }
+}
+
+TEST(Mips, SixteenBitsStaySixteen)
+{
+    const auto level =
+        makeMips(image(2, 1, {{1000, 0, 0, 0}, {1003, 0, 0, 65535}}, TexelFormat::rgba16), {TexelContent::data})[0];
+    EXPECT_EQ(level.format, TexelFormat::rgba16);
+    EXPECT_NEAR(codeAt(level, 0, 0)[0], 1001.5, 0.5);
+}
+
+TEST(Mips, AnOddSideNeitherShiftsNorDropsATexel)
+{
+    // A bright texel of 5 covers [i, i + 1] / 5: of the two coarser texels the left one covers [0, 2.5] / 5. Its share
+    // is the overlap over 2.5, in units of 250: 100, 100, 50, 0, 0 and the mirror image on the right.
+    const int left[5] = {100, 100, 50, 0, 0};
+    for (int i = 0; i < 5; ++i) {
+        std::vector<Code> texels(5, Code{0, 0, 0, 0});
+        texels[static_cast<std::size_t>(i)] = {250, 250, 250, 250};
+        const auto level = makeMips(image(5, 1, texels), {TexelContent::data})[0];
+        EXPECT_EQ(codeAt(level, 0, 0)[0], left[i]) << "texel " << i;
+        EXPECT_EQ(codeAt(level, 1, 0)[0], left[4 - i]) << "texel " << i;
+    }
+}
+
+TEST(Mips, NothingShiftsDownTheChain)
+{
+    // A ramp over an odd width is its own mirror image about the middle, and so is every level; its mean is the ramp's.
+    const int width = 201;
+    std::vector<Code> ramp;
+    for (int i = 0; i < width; ++i)
+        ramp.push_back({i * 300, 0, 0, 0});
+    for (const TextureImage& level : makeMips(image(width, 1, ramp, TexelFormat::rgba16), {TexelContent::data})) {
+        double sum = 0.0;
+        for (int i = 0; i < level.width; ++i) {
+            sum += codeAt(level, i, 0)[0];
+            EXPECT_NEAR(codeAt(level, i, 0)[0] + codeAt(level, level.width - 1 - i, 0)[0], 300 * (width - 1), 1)
+                << "width " << level.width << " texel " << i;
+        }
+        EXPECT_NEAR(sum / level.width, 150.0 * (width - 1), 0.5) << "width " << level.width;
+    }
+}
+
+TEST(Mips, HiddenColourDoesNotBleedThroughAlpha)
+{
+    const std::vector<Code> leaf = {{200, 0, 0, 255}, {0, 255, 0, 0}};
+    EXPECT_EQ(codeAt(makeMips(image(2, 1, leaf), {TexelContent::color, true})[0], 0, 0), (Code{200, 0, 0, 128}));
+    EXPECT_GT(codeAt(makeMips(image(2, 1, leaf), {TexelContent::color, false})[0], 0, 0)[1], 100);
+    const std::vector<Code> hidden = {{100, 50, 0, 0}, {100, 50, 0, 0}};
+    EXPECT_EQ(codeAt(makeMips(image(2, 1, hidden), {TexelContent::color, true})[0], 0, 0), (Code{100, 50, 0, 0}));
+}
+
+TEST(Mips, NormalsStayUnit)
+{
+    // The mean of (sin, 0, cos) of +60 and 0 degrees points along 30 degrees.
+    const auto encode = [](double angle) {
+        return Code{static_cast<int>(std::lround(32767.5 * (1 + std::sin(angle)))), 32768,
+                    static_cast<int>(std::lround(32767.5 * (1 + std::cos(angle)))), 65535};
+    };
+    const auto level =
+        makeMips(image(2, 1, {encode(kPi / 3), encode(0)}, TexelFormat::rgba16), {TexelContent::normal})[0];
+    const Code expected = encode(kPi / 6), got = codeAt(level, 0, 0);
+    for (std::size_t c = 0; c < 4; ++c)
+        EXPECT_NEAR(got[c], expected[c], 2) << "channel " << c;
+    // 8-bit flat stays the flat of the file, opposite ones give +Z
+    EXPECT_EQ(
+        codeAt(makeMips(image(2, 1, std::vector<Code>(2, Code{128, 128, 255, 255})), {TexelContent::normal})[0], 0, 0),
+        (Code{128, 128, 255, 255}));
+    EXPECT_EQ(codeAt(makeMips(image(2, 1, {{255, 0, 0, 0}, {0, 255, 255, 0}}), {TexelContent::normal})[0], 0, 0),
+              (Code{128, 128, 255, 0}));
+}
+
+} // namespace
+} // namespace torrance
