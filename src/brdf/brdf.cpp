@@ -1,5 +1,6 @@
 #include "brdf/brdf.h"
 
+#include "brdf/albedo.h"
 #include "core/error.h"
 
 namespace torrance::brdf {
@@ -33,6 +34,8 @@ dvec3 evaluateBrdf(const Preset& preset, const ShadingPoint& point)
 
     ShadingPoint lobe = point;
     lobe.f90 = dvec3(1);
+    if (preset.multipleScattering->id != "none")
+        lobe.E = ggxAlbedo(point.NoV, point.perceptualRoughness).albedo();
     const double specular = scalar(*preset.distribution, lobe) * scalar(*preset.visibility, lobe);
 
     // Appendix B: metal_brdf = specular * F(base colour)

@@ -33,11 +33,16 @@ dvec3 mappedNormal(const Scene& scene, const Material& material, const SurfacePo
         return surface.normal;
     const dvec4 texel = sampleUse(scene, material.normal, surface.uvs, ColorSpace::linear);
     const dvec3 local = (2.0 * dvec3(texel) - 1.0) * dvec3(material.normalScale, material.normalScale, 1.0);
-    const dvec3 tangent = surface.frame->tangent;
-    const dvec3 bitangent = surface.frame->sign * glm::cross(surface.normal, tangent);
-    const dvec3 bent = local.x * tangent + local.y * bitangent + local.z * surface.normal;
+    const TangentFrame& frame = *surface.frame;
+    const dvec3 bent = local.x * frame.tangent + local.y * frame.bitangent + local.z * surface.normal;
     const double length = glm::length(bent);
     return length > 0.0 ? bent / length : surface.normal;
+}
+
+dvec3 bendNormal(const dvec3& normal, const dvec3& view)
+{
+    const double NoV = glm::dot(normal, view);
+    return NoV < kMinNoV ? glm::normalize(normal + (kMinNoV - NoV) * view) : normal;
 }
 
 } // namespace
@@ -62,7 +67,7 @@ MaterialPoint makeMaterialPoint(const Scene& scene, const SurfacePoint& surface)
     point.occlusion = 1.0 + material.occlusionStrength * (occlusion - 1.0);
     point.emissive =
         material.emissiveFactor * dvec3(sampleUse(scene, material.emissive, surface.uvs, ColorSpace::srgb));
-    point.normal = (surface.front ? 1.0 : -1.0) * mappedNormal(scene, material, surface);
+    point.normal = bendNormal((surface.front ? 1.0 : -1.0) * mappedNormal(scene, material, surface), surface.view);
     point.unlit = material.unlit;
     return point;
 }

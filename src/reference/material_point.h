@@ -5,6 +5,11 @@
 
 namespace torrance {
 
+/// A shading normal that interpolation or a normal map turned away from the viewer is bent, in the plane of both, until
+/// n.v has this value to first order: the surface is seen. It alters points with n.v below it only. The same constant
+/// stands in shaders/shared/constants.h.
+inline constexpr double kMinNoV = 1e-4;
+
 struct MaterialPoint
 {
     dvec3 baseColor = dvec3(1.0);
@@ -13,7 +18,7 @@ struct MaterialPoint
     double perceptualRoughness = 1.0;
     double occlusion = 1.0; // share of the environment's light that arrives
     dvec3 emissive = dvec3(0.0);
-    dvec3 normal = dvec3(0.0, 0.0, 1.0); // unit, normal-mapped, towards the side that is seen
+    dvec3 normal = dvec3(0.0, 0.0, 1.0); // unit, normal-mapped, n.v >= kMinNoV
     bool unlit = false;
 };
 

@@ -9,10 +9,9 @@ namespace {
 /// KHR_lights_punctual, "Range Property": 1 / d^2 inside a window that reaches zero at the range.
 double distanceAttenuation(double range, double distance)
 {
-    if (!(distance > 0.0))
-        return 0.0;
     const double ratio = range > 0.0 ? distance / range : 0.0;
-    return std::clamp(1.0 - ratio * ratio * ratio * ratio, 0.0, 1.0) / (distance * distance);
+    return std::clamp(1.0 - ratio * ratio * ratio * ratio, 0.0, 1.0) /
+           std::max(distance * distance, kMinLightDistance * kMinLightDistance);
 }
 
 /// KHR_lights_punctual, "Inner and Outer Cone Angles".

@@ -15,7 +15,12 @@ struct LightSample
 /// cones whose cosines differ by less.
 inline constexpr double kLeastConeWidth = 0.001;
 
-/// `origin` is what `position` is relative to. At the light's own place nothing arrives.
+/// A light nearer than this (metres) shines as from this distance: 1/d^2 stays finite where a light lies on a surface.
+/// The same constant stands in shaders/shared/constants.h.
+inline constexpr double kMinLightDistance = 1e-6;
+
+/// `origin` is what `position` is relative to. At the light's own place, where it has no direction,
+/// nothing arrives.
 LightSample sampleLight(const Light& light, const dvec3& origin, const dvec3& position);
 
 } // namespace torrance

@@ -19,12 +19,11 @@ dvec3 unitOr(const dvec3& v, const dvec3& fallback)
     return length > 0.0 && std::isfinite(length) ? v / length : fallback;
 }
 
-/// An attribute at the hit: the weighted sum of the corners' values.
-template <typename Wide, typename Narrow>
-Wide interpolate(const std::vector<Narrow>& values, const std::array<std::uint32_t, 3>& corners, const dvec3& weights)
+/// The weighted sum of what `at` gives for each of the three corners.
+template <typename Wide, typename At>
+Wide interpolate(const std::array<std::uint32_t, 3>& corners, const dvec3& weights, const At& at)
 {
-    return weights[0] * Wide(values[corners[0]]) + weights[1] * Wide(values[corners[1]]) +
-           weights[2] * Wide(values[corners[2]]);
+    return weights[0] * Wide(at(corners[0])) + weights[1] * Wide(at(corners[1])) + weights[2] * Wide(at(corners[2]));
 }
 
 struct Corners
@@ -49,23 +48,30 @@ Corners cornersOf(const Scene& scene, const Hit& hit)
             hit.barycentric};
 }
 
+void fillNormals(const Corners& c, SurfacePoint& point)
+{
+    const Primitive& p = c.primitive;
+    if (p.normals.empty())
+        return;
+    const dvec3 normal = interpolate<dvec3>(c.vertices, c.weights, [&](std::uint32_t v) { return p.normals[v]; });
+    point.normal = unitOr(c.handedness * (cofactors(c.worldFromObject) * normal), point.normal);
+    if (p.tangents.empty())
+        return;
+    const dvec4 tangent = interpolate<dvec4>(c.vertices, c.weights, [&](std::uint32_t v) { return p.tangents[v]; });
+    const dvec3 unit = unitOr(c.worldFromObject * dvec3(tangent), dvec3(0.0));
+    if (unit != dvec3(0.0))
+        point.frame = TangentFrame{unit, c.handedness * tangent.w * glm::cross(point.normal, unit)};
+}
+
 void fillAttributes(const Corners& c, SurfacePoint& point)
 {
     const Primitive& p = c.primitive;
-    if (!p.normals.empty())
-        point.normal =
-            unitOr(c.handedness * (cofactors(c.worldFromObject) * interpolate<dvec3>(p.normals, c.vertices, c.weights)),
-                   point.normal);
-    if (!p.tangents.empty()) {
-        const dvec4 tangent = interpolate<dvec4>(p.tangents, c.vertices, c.weights);
-        const double w = p.tangents[c.vertices[0]].w < 0.0f ? -1.0 : 1.0;
-        point.frame = TangentFrame{unitOr(c.worldFromObject * dvec3(tangent), dvec3(1, 0, 0)), w * c.handedness};
-    }
+    fillNormals(c, point);
     for (std::size_t set = 0; set < 2; ++set)
         if (!p.uvs[set].empty())
-            point.uvs[set] = interpolate<dvec2>(p.uvs[set], c.vertices, c.weights);
+            point.uvs[set] = interpolate<dvec2>(c.vertices, c.weights, [&](std::uint32_t v) { return p.uvs[set][v]; });
     if (!p.colors.empty())
-        point.color = interpolate<dvec4>(p.colors, c.vertices, c.weights);
+        point.color = interpolate<dvec4>(c.vertices, c.weights, [&](std::uint32_t v) { return p.colors[v]; });
 }
 
 SurfacePoint shapePoint(const RayCaster& caster, const Ray& ray, const Hit& hit)
@@ -99,6 +105,7 @@ SurfacePoint trianglePoint(const RayCaster& caster, const Hit& hit)
 SurfacePoint makeSurfacePoint(const RayCaster& caster, const Ray& ray, const Hit& hit)
 {
     SurfacePoint point = hit.shape >= 0 ? shapePoint(caster, ray, hit) : trianglePoint(caster, hit);
+    point.view = -ray.direction;
     point.distance = hit.distance;
     point.front = hit.front;
     point.material = materialIndexOf(caster.scene(), hit);

@@ -8,15 +8,16 @@
 
 namespace torrance {
 
-/// The tangent frame of normal mapping. Bitangent = sign * cross(normal, tangent).
+/// The axes of a normal map beside the normal: along the texture's u, and against its v.
 struct TangentFrame
 {
-    dvec3 tangent = dvec3(1.0, 0.0, 0.0); // unit, along the texture's u
-    double sign = 1.0;                    // glTF's w, negated where the node mirrors
+    dvec3 tangent = dvec3(1.0, 0.0, 0.0);   // unit
+    dvec3 bitangent = dvec3(0.0, 1.0, 0.0); // w * cross(normal, tangent), w negated where the node mirrors
 };
 
 struct SurfacePoint
 {
+    dvec3 view = dvec3(0.0, 0.0, 1.0);  // unit, towards where the ray comes from
     dvec3 position = dvec3(0.0);        // relative to the caster's origin
     double distance = 0.0;              // along the ray
     dvec3 geometricNormal = dvec3(0.0); // unit, towards the side that is seen
@@ -29,8 +30,9 @@ struct SurfacePoint
     int object = -1; // Instance::object; of analytic shape number i, -1 - i
 };
 
-/// Normals go through the cofactor matrix, times the determinant's sign, and are interpolated before they are
-/// normalised; where a primitive has none, or they vanish, the triangle's own stands in.
+/// Normals go through the cofactor matrix times the determinant's sign, tangents through the matrix; both are
+/// interpolated before they are made unit. Where a primitive has no normals, or they vanish, the triangle's own stands
+/// in.
 SurfacePoint makeSurfacePoint(const RayCaster& caster, const Ray& ray, const Hit& hit);
 
 } // namespace torrance

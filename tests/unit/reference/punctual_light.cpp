@@ -19,6 +19,8 @@ TEST(PunctualLight, PointLightFallsWithTheSquare)
     EXPECT_EQ(sampleLight(light, dvec3(0, 1, 0), dvec3(0, -1, 0)).irradiance, sample.irradiance)
         << "origin and offset add";
     EXPECT_EQ(sampleLight(light, dvec3(0), light.position).irradiance, dvec3(0.0)) << "at the light itself";
+    const dvec3 nearby = light.position + dvec3(1e-3 * kMinLightDistance, 0, 0);
+    EXPECT_NEAR(sampleLight(light, dvec3(0), nearby).irradiance.r, 12.0 / (kMinLightDistance * kMinLightDistance), 1.0);
 }
 
 TEST(PunctualLight, RangeIsAWindow)
