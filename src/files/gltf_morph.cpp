@@ -3,6 +3,8 @@
 #include "files/gltf_model.h"
 #include "files/gltf_primitive.h"
 
+#include <cmath>
+
 namespace torrance {
 namespace {
 
@@ -24,11 +26,16 @@ public:
                 sums[i] += weight * dvec3(differences[i]);
     }
 
-    void store() const
+    /// False where a sum is more than a float can hold.
+    bool store() const
     {
+        bool finite = true;
         for (std::size_t i = 0; i < sums.size(); ++i)
-            for (int k = 0; k < 3; ++k)
+            for (int k = 0; k < 3; ++k) {
                 target[i][k] = static_cast<float>(sums[i][k]);
+                finite = finite && std::isfinite(target[i][k]);
+            }
+        return finite;
     }
 
 private:
@@ -69,9 +76,8 @@ void applyMorphTargets(Primitive& primitive, const tinygltf::Primitive& source, 
         if (!primitive.tangents.empty())
             tangents.add(target.read<3>("TANGENT"), weights[i]);
     }
-    positions.store();
-    normals.store();
-    tangents.store();
+    if (!positions.store() || !normals.store() || !tangents.store())
+        report.fail(item, "overflows when its morph targets are added", "use smaller weights");
 }
 
 } // namespace torrance

@@ -13,8 +13,8 @@ namespace torrance {
 
 struct LoadOptions
 {
-    std::optional<int> scene;   // instead of the file's default
-    bool allowExternal = false; // URIs may leave the folder of the file: `..`, absolute paths, file:
+    std::optional<int> scene = {}; // instead of the file's default
+    bool allowExternal = false;    // URIs may leave the folder of the file: `..`, absolute paths, file:
 };
 
 /// How many of a kind a file holds, and their names ("" where one has none).
