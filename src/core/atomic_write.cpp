@@ -62,13 +62,16 @@ void checkTarget(const fs::path& path)
         throw writeError(path.string(), "is a directory", "name a file");
 }
 
-} // namespace
-
-void writeFile(const fs::path& path, std::span<const std::byte> bytes)
+// A device or pipe (/dev/null, /dev/stdout) is written to: renaming a file onto it would put an end to it.
+bool isDevice(const fs::path& path)
 {
-    checkTarget(path);
-    TemporaryFile temporary(path);
-    const int file = open(temporary.name.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
+    std::error_code ignored;
+    const fs::file_status status = fs::status(path, ignored);
+    return fs::exists(status) && !fs::is_regular_file(status);
+}
+
+void writeAll(int file, const fs::path& path, std::span<const std::byte> bytes)
+{
     if (file < 0)
         failWithErrno(path);
     std::size_t done = 0;
@@ -77,13 +80,28 @@ void writeFile(const fs::path& path, std::span<const std::byte> bytes)
         if (n < 0 && errno == EINTR)
             continue;
         if (n <= 0) {
+            const int failure = errno;
             close(file);
+            errno = failure;
             failWithErrno(path);
         }
         done += static_cast<std::size_t>(n);
     }
     if (close(file) != 0)
         failWithErrno(path);
+}
+
+} // namespace
+
+void writeFile(const fs::path& path, std::span<const std::byte> bytes)
+{
+    checkTarget(path);
+    if (isDevice(path)) {
+        writeAll(open(path.c_str(), O_WRONLY | O_CLOEXEC), path, bytes);
+        return;
+    }
+    TemporaryFile temporary(path);
+    writeAll(open(temporary.name.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666), path, bytes);
     temporary.renameTo(path);
 }
 

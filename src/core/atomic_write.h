@@ -10,7 +10,7 @@
 namespace torrance {
 
 /// Writes to a temporary name beside `path` and renames it to `path`. On any failure the temporary file is removed,
-/// `path` keeps what it held, and an Error (cannotWrite) says why.
+/// `path` keeps what it held, and an Error (cannotWrite) says why. A device or pipe is written to as it is.
 void writeFile(const std::filesystem::path& path, std::span<const std::byte> bytes);
 void writeFile(const std::filesystem::path& path, std::string_view text);
 
