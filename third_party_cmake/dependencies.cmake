@@ -25,6 +25,8 @@ set(CMAKE_MESSAGE_LOG_LEVEL WARNING)                          # its configuratio
 find_package(OpenEXR 3.1 CONFIG REQUIRED)                     # debian: libopenexr-dev
 unset(CMAKE_MESSAGE_LOG_LEVEL)
 pkg_check_modules(libwebp REQUIRED IMPORTED_TARGET libwebp>=1.2) # debian: libwebp-dev
+# Optional, Debian package libopenimageio-dev: TIFF, TGA, PSD and the like for `compare` and environments. It brings 261 libraries.
+find_package(OpenImageIO 2.4 CONFIG QUIET)
 
 # Rays on the processor
 find_package(embree 3.13 REQUIRED)                            # debian: libembree-dev libtbb-dev

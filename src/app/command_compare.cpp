@@ -130,8 +130,10 @@ Image channelOf(const ReadImage& picture, std::size_t channel)
 // sRGB codes with straight alpha become premultiplied, linear light.
 void linearise(ComparedPicture& picture)
 {
-    for (std::size_t i = 0; i < picture.linear.texels.size(); ++i)
-        picture.linear.texels[i] = srgbDecode(picture.linear.texels[i]) * picture.alpha.texels[i / 3];
+    for (std::size_t i = 0; i < picture.linear.texels.size(); ++i) {
+        const float alpha = picture.alpha.texels.empty() ? 1.0f : picture.alpha.texels[i / 3];
+        picture.linear.texels[i] = srgbDecode(picture.linear.texels[i]) * alpha;
+    }
 }
 
 void warnOfOtherChannels(const ReadImage& picture, const std::string& path)

@@ -5,6 +5,7 @@
 #include "core/read_file.h"
 #include "files/exr_file.h"
 #include "files/hdr_file.h"
+#include "files/openimageio_loader.h"
 #include "files/texture_file.h"
 #include "image/quantize.h"
 
@@ -80,7 +81,9 @@ ReadImage readImage(const std::string& path)
         return fromHdr(bytes, path);
     if (isExr(bytes))
         return fromExr(bytes, path);
-    return fromTexture(bytes, path);
+    if (isTexture(bytes))
+        return fromTexture(bytes, path);
+    return readThroughOpenImageIo(path);
 }
 
 Image colorOf(const ReadImage& picture, const std::string& path)

@@ -16,7 +16,8 @@ struct ReadImage
 };
 
 /// Told by content: PNG, JPEG, WebP (straight alpha), HDR, EXR (alpha as stored, premultiplied as a rule; the first
-/// part). An Error (input) where the file is missing, truncated, corrupt or too large.
+/// part); anything else is tried through OpenImageIO. An Error (input) where the file is missing, truncated, corrupt or
+/// too large.
 ReadImage readImage(const std::string& path);
 
 /// The colour of a picture: its R, G and B, or its only channel three times. An Error (input) where it has neither.

@@ -73,6 +73,11 @@ TextureImage decodeTexture(std::span<const std::byte> bytes, const std::string& 
     throw inputError(file, name, "the image is neither PNG nor JPEG nor WebP", "convert it to PNG");
 }
 
+bool isTexture(std::span<const std::byte> bytes)
+{
+    return kindOf(bytes) != Kind::unknown;
+}
+
 std::optional<ImageSize> textureSize(std::span<const std::byte> bytes)
 {
     switch (kindOf(bytes)) {

@@ -27,6 +27,9 @@ struct ImageSize
 /// corrupt or truncated, of another kind, 0x0 or larger than the limits above: never half a picture.
 TextureImage decodeTexture(std::span<const std::byte> bytes, const std::string& name, const std::string& file);
 
+/// Whether the bytes start as PNG, JPEG or WebP do.
+bool isTexture(std::span<const std::byte> bytes);
+
 /// The size that the header claims, or nothing where there is no readable header.
 std::optional<ImageSize> textureSize(std::span<const std::byte> bytes);
 
