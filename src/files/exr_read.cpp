@@ -4,6 +4,7 @@
 #include "files/image_limits.h"
 
 #include <OpenEXR/ImfChannelList.h>
+#include <OpenEXR/ImfCompression.h>
 #include <OpenEXR/ImfFrameBuffer.h>
 #include <OpenEXR/ImfHeader.h>
 #include <OpenEXR/ImfIO.h>
@@ -88,6 +89,19 @@ Image moved(const Image& data, const Window& from, const Window& to)
     return image;
 }
 
+// Deflate, and run-length coding all the more, cannot shrink further than this (RFC 1951: 258 bytes from two bits). A
+// file that claims more than its length can hold is refused before memory is taken for it; wavelets and cosines are not
+// judged.
+constexpr long long kMaxDeflateRatio = 1040;
+
+bool canHold(std::size_t bytes, long long values, Imf::Compression compression)
+{
+    const bool deflates = compression == Imf::NO_COMPRESSION || compression == Imf::RLE_COMPRESSION ||
+                          compression == Imf::ZIPS_COMPRESSION || compression == Imf::ZIP_COMPRESSION;
+    constexpr long long kLeastValueBytes = 2; // half
+    return !deflates || values * kLeastValueBytes / kMaxDeflateRatio <= static_cast<long long>(bytes);
+}
+
 ExrImage readFirstPart(std::span<const std::byte> bytes, const std::string& file)
 {
     MemoryInput stream(bytes, file);
@@ -102,6 +116,8 @@ ExrImage readFirstPart(std::span<const std::byte> bytes, const std::string& file
     const auto channels = static_cast<long long>(result.channelNames.size());
     checkImageSize(widthOf(data), heightOf(data), channels, file);
     checkImageSize(widthOf(display), heightOf(display), channels, file);
+    if (!canHold(bytes.size(), widthOf(data) * heightOf(data) * channels, header.compression()))
+        throw inputError(file, "", "the EXR file ends too early", "export the picture again");
     Imf::InputPart part(input, 0);
     result.image = readWindow(part, data, result.channelNames);
     if (data != display)

@@ -11,7 +11,9 @@
 
 #include <algorithm>
 #include <array>
+#include <cctype>
 #include <cstring>
+#include <filesystem>
 #include <numeric>
 #include <string_view>
 
@@ -72,6 +74,16 @@ ReadImage fromTexture(std::span<const std::byte> bytes, const std::string& path)
     return result;
 }
 
+// Other libraries would report the damage in their own words, and on standard error at that.
+bool claimsOwnFormat(const std::string& path)
+{
+    std::string extension = std::filesystem::path(path).extension().string();
+    for (char& c : extension)
+        c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+    constexpr std::string_view kOwn[] = {".png", ".jpg", ".jpeg", ".webp", ".hdr", ".exr"};
+    return std::find(std::begin(kOwn), std::end(kOwn), extension) != std::end(kOwn);
+}
+
 } // namespace
 
 ReadImage readImage(const std::string& path)
@@ -83,6 +95,9 @@ ReadImage readImage(const std::string& path)
         return fromExr(bytes, path);
     if (isTexture(bytes))
         return fromTexture(bytes, path);
+    if (claimsOwnFormat(path))
+        throw inputError(path, "", "is not what its name says: neither PNG, JPEG, WebP, HDR nor EXR",
+                         "get the file again, or correct its name");
     return readThroughOpenImageIo(path);
 }
 
