@@ -11,8 +11,12 @@ vec3 brdf(vec3 n, vec3 v, vec3 l, vec3 baseColor, float metallic, float perceptu
     if (NoV <= 0.0 || NoL <= 0.0)
         return vec3(0.0);
 
-    // t is not normalised: its length is 2 VoH, and its cross product with n keeps the digits that 1 - NoH^2 would lose.
+    // t is not normalised: its length is 2 VoH, and its cross product with n keeps the digits that 1 - NoH^2 would lose. v and l are unit
+    // up to rounding only, and at grazing, where t is short, what their lengths differ by would tilt it: |v| - |l| = t.d / 2 to first
+    // order, taken out along d.
     vec3 t = v + l;
+    vec3 d = v - l;
+    t -= d * (0.25 * dot(t, d));
     vec3 nxt = cross(n, t);
     float length2 = dot(t, t);
     float NoH = (NoV + NoL) * inversesqrt(length2);

@@ -7,18 +7,13 @@
 
 namespace torrance::brdf {
 
-/// What the condition number is taken with respect to. The vectors need not be unit: the formula normalises them.
-struct Geometry
-{
-    dvec3 n, v, l;
-    double perceptualRoughness;
-};
-
-/// Summed relative condition number: kappa = sum over the nine components x of n, v, l and over r of |x df/dx| / |f|,
-/// so that rounding every input by a relative u changes f by at most kappa u to first order. Components are changed one
-/// at a time and the vectors normalised again afterwards, as whoever is given rounded unit vectors sees them. The
-/// greatest of the three channels; channels that are 0 count as 0. Central differences with a relative step of 2^-27,
-/// good to 1e-4 for kappa up to 1e6.
-double conditionNumber(const std::function<dvec3(const Geometry&)>& formula, const Geometry& at);
+/// Summed relative condition number of a formula with respect to n, v, l and r: kappa = sum over the nine components x
+/// of the vectors and over r of |f(x (1 +- u)) - f(x)| / (u |f(x)|), the greater of both signs. Components are changed
+/// one at a time and the vectors normalised again afterwards, as whoever is given rounded unit vectors sees them; what
+/// the point holds beside its geometry stays. The greatest of the three channels; channels that are 0 count as 0.
+///
+/// u = 2^-24 is the rounding of a float, and not smaller: at the very peak of a narrow highlight the derivative is 0,
+/// yet rounding moves the half vector off the peak. Elsewhere the step changes kappa by less than a share kappa u.
+double conditionNumber(const std::function<dvec3(const ShadingPoint&)>& formula, const ShadingPoint& at);
 
 } // namespace torrance::brdf

@@ -4,13 +4,26 @@
 #include <cmath>
 
 namespace torrance::brdf {
+namespace {
+
+// Scaled by a power of two first, which rounds nothing: squares of 1e200 or 1e-200 are no doubles.
+dvec3 unit(const dvec3& vector)
+{
+    const double greatest = std::max({std::abs(vector.x), std::abs(vector.y), std::abs(vector.z)});
+    int exponent = 0;
+    std::frexp(greatest, &exponent);
+    return glm::normalize(
+        dvec3(std::ldexp(vector.x, -exponent), std::ldexp(vector.y, -exponent), std::ldexp(vector.z, -exponent)));
+}
+
+} // namespace
 
 ShadingPoint makeShadingPoint(const dvec3& n, const dvec3& v, const dvec3& l, double perceptualRoughness)
 {
     ShadingPoint point;
-    point.n = glm::normalize(n);
-    point.v = glm::normalize(v);
-    point.l = glm::normalize(l);
+    point.n = unit(n);
+    point.v = unit(v);
+    point.l = unit(l);
     point.NoV = glm::dot(point.n, point.v);
     point.NoL = glm::dot(point.n, point.l);
     point.VoL = glm::dot(point.v, point.l);

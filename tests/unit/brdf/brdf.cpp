@@ -1,5 +1,6 @@
 #include "brdf/brdf.h"
 
+#include "brdf/albedo.h"
 #include "brdf/condition.h"
 #include "brdf/distribution.h"
 #include "brdf/visibility.h"
@@ -97,41 +98,66 @@ TEST(Brdf, GltfIsReciprocal)
             }
 }
 
-// Known condition numbers: D of GGX at its peak goes as r^-4, so its exponent is 4; NoL enters Lambert's cosine law not
-// at all.
+// A white metal of any roughness returns all light once it is compensated (METHODS.md: any compensation at F0 = 1):
+// over E of the single-scattering lobe, the factor is 1/E.
+TEST(Brdf, StandardIsGltfOverItsAlbedoForAWhiteMetal)
+{
+    for (const double roughness : {0.1, 0.5, 1.0})
+        for (const double NoV : {0.1, 0.5, 1.0}) {
+            ShadingPoint point = pointAt(NoV, 0.6, 2.0, roughness);
+            point.metallic = 1;
+            const double single = evaluateBrdf(*findPreset("gltf"), point).r;
+            const double compensated = evaluateBrdf(*findPreset("standard"), point).r;
+            EXPECT_NEAR(compensated / single * ggxAlbedo(NoV, roughness).albedo(), 1.0, 1e-12)
+                << roughness << ' ' << NoV;
+        }
+}
+
+// GGX with alpha = 1, seen head-on, F = 1: E = 1 - ln 2 (METHODS.md). So a white metal gains by 1/(1 - ln 2) there.
+TEST(Brdf, CompensationOfTheRoughestMetalIsKnown)
+{
+    ShadingPoint point = pointAt(1.0, 0.6, 0.0, 1.0);
+    point.metallic = 1;
+    const double gain = evaluateBrdf(*findPreset("standard"), point).r / evaluateBrdf(*findPreset("gltf"), point).r;
+    EXPECT_NEAR(gain * (1 - std::log(2.0)), 1.0, 1e-6);
+}
+
+const ShadingPoint kTilted = makeShadingPoint({0, 0, 1}, {0.6, 0, 0.8}, {-0.6, 0, 0.8}, 0.5);
+
+// Known condition numbers: that of a power is its exponent, that of a constant 0.
 TEST(Condition, IsTheExponentOfAPower)
 {
-    const Geometry at = {{0, 0, 1}, {0.6, 0, 0.8}, {-0.6, 0, 0.8}, 0.5};
-    const auto fourth = [](const Geometry& g) { return dvec3(std::pow(g.perceptualRoughness, -4)); };
-    EXPECT_NEAR(conditionNumber(fourth, at), 4.0, 1e-6);
-    const auto constant = [](const Geometry&) { return dvec3(0.3); };
-    EXPECT_EQ(conditionNumber(constant, at), 0.0);
-    const auto zero = [](const Geometry&) { return dvec3(0); };
-    EXPECT_EQ(conditionNumber(zero, at), 0.0);
+    const auto fourth = [](const ShadingPoint& p) { return dvec3(std::pow(p.perceptualRoughness, -4)); };
+    EXPECT_NEAR(conditionNumber(fourth, kTilted), 4.0, 1e-6);
+    const auto constant = [](const ShadingPoint&) { return dvec3(0.3); };
+    EXPECT_EQ(conditionNumber(constant, kTilted), 0.0);
+    const auto zero = [](const ShadingPoint&) { return dvec3(0); };
+    EXPECT_EQ(conditionNumber(zero, kTilted), 0.0);
 }
 
-// n = z: NoL = l.z / |l|. d log NoL / d log l.x = -l.x^2, and 1 - l.z^2 for l.z: their magnitudes sum to 2 (1 - NoL^2).
-// n's own z only scales n.
+// n = z, NoL = l.z / |l|: d log NoL / d log l.x = -l.x^2 and d log NoL / d log l.z = 1 - l.z^2, whose magnitudes sum to
+// 2 (1 - NoL^2). n's own z only scales n.
 TEST(Condition, SeesVectorsThroughTheirNormalisation)
 {
-    const Geometry at = {{0, 0, 2}, {0, 0, 1}, {0.6, 0, 0.8}, 0.5};
-    const auto cosine = [](const Geometry& g) {
-        return dvec3(makeShadingPoint(g.n, g.v, g.l, g.perceptualRoughness).NoL);
-    };
-    EXPECT_NEAR(conditionNumber(cosine, at), 2 * (1 - 0.64), 1e-6);
+    const auto cosine = [](const ShadingPoint& p) { return dvec3(p.NoL); };
+    EXPECT_NEAR(conditionNumber(cosine, kTilted), 2 * (1 - 0.64), 1e-6);
 }
 
-// GGX off its peak at small alpha: D ~ a^2 / sin^4, so r has exponent 4 and sin^2 has -2; sin is half the tilt, whose
-// own condition with respect to the components that make it is large where they cancel.
+// Off the peak of a narrow GGX highlight D ~ a^2 / sin^4 h, and sin h is a difference of near-equal components of v and
+// l.
 TEST(Condition, GrowsWhereTheHighlightIsNarrow)
 {
-    const auto density = [](const Geometry& g) {
-        return dvec3(D_ggx(makeShadingPoint(g.n, g.v, g.l, g.perceptualRoughness)));
-    };
-    const dvec3 v = glm::normalize(dvec3(0.6, 0, 0.8));
-    const dvec3 l = glm::normalize(dvec3(-0.6 + 1e-4, 0, 0.8));
-    EXPECT_GT(conditionNumber(density, {{0, 0, 1}, v, l, 0.01}), 1e3);
-    EXPECT_LT(conditionNumber(density, {{0, 0, 1}, v, l, 0.8}), 10);
+    const auto density = [](const ShadingPoint& p) { return dvec3(D_ggx(p)); };
+    const dvec3 v(0.6, 0, 0.8), l(-0.6 + 1e-4, 0, 0.8);
+    EXPECT_GT(conditionNumber(density, makeShadingPoint({0, 0, 1}, v, l, 0.01)), 1e3);
+    EXPECT_LT(conditionNumber(density, makeShadingPoint({0, 0, 1}, v, l, 0.8)), 10);
+}
+
+TEST(ShadingPoint, TakesVectorsOfAnyLength)
+{
+    const ShadingPoint huge = makeShadingPoint({0, 0, 1e300}, {0.6e250, 0, 0.8e250}, {0, 0, 5e-320}, 0.5);
+    EXPECT_DOUBLE_EQ(huge.NoV, 0.8);
+    EXPECT_DOUBLE_EQ(huge.NoL, 1.0);
 }
 
 } // namespace
