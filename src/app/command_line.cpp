@@ -14,7 +14,7 @@
 namespace torrance {
 namespace {
 
-// Bound on the program and on every command, so that they may stand on either side of the command's name.
+// Bound on the program and on every command, so that the help of both lists them.
 void declareGlobalOptions(CLI::App& app, GlobalOptions& global)
 {
     app.add_flag("--quiet", global.quiet, "Print errors only")->group("Everywhere");
@@ -22,6 +22,8 @@ void declareGlobalOptions(CLI::App& app, GlobalOptions& global)
     app.add_flag("--no-cache", global.noCache, "Neither read nor write the caches on disk")->group("Everywhere");
     app.add_option("--json", global.json, "Write the result as JSON ('-': standard output)")
         ->type_name("FILE")
+        ->group("Everywhere");
+    app.set_version_flag("--version", versionText, "Print the version, the build and the Vulkan driver")
         ->group("Everywhere");
 }
 
@@ -96,7 +98,6 @@ void declareProgram(CLI::App& program, GlobalOptions& global, const std::vector<
 {
     program.name("torrance");
     program.require_subcommand(1);
-    program.set_version_flag("--version", versionText, "Print the version, the build and the Vulkan driver");
     declareGlobalOptions(program, global);
     for (const Command& command : commands) {
         CLI::App* sub = program.add_subcommand(command.name, command.description);
@@ -105,9 +106,43 @@ void declareProgram(CLI::App& program, GlobalOptions& global, const std::vector<
     }
 }
 
+std::vector<const CLI::App*> allApps(const CLI::App& program)
+{
+    std::vector<const CLI::App*> apps = {&program};
+    for (const CLI::App* command : program.get_subcommands([](const CLI::App*) { return true; }))
+        apps.push_back(command);
+    return apps;
+}
+
+bool takesValue(const CLI::App& program, const std::string& argument)
+{
+    for (const CLI::App* app : allApps(program))
+        for (const CLI::Option* option : app->get_options())
+            if (looksLikeOption(argument) && option->check_name(argument) && option->get_items_expected_max() > 0)
+                return true;
+    return false;
+}
+
+// `torrance -o a.png render a.glb` is `torrance render -o a.png a.glb`: options may stand before the command's name,
+// too. A word that an option takes as its value is no command.
+void moveCommandToFront(std::vector<std::string>& arguments, const CLI::App& program,
+                        const std::vector<Command>& commands)
+{
+    const std::vector<std::string> names = commandNames(commands);
+    for (std::size_t i = 0; i < arguments.size(); ++i) {
+        const bool isValue = i > 0 && takesValue(program, arguments[i - 1]);
+        if (isValue || std::find(names.begin(), names.end(), arguments[i]) == names.end())
+            continue;
+        const auto place = arguments.begin() + static_cast<std::ptrdiff_t>(i);
+        std::rotate(arguments.begin(), place, place + 1);
+        return;
+    }
+}
+
 /// Null where the arguments asked for text only (help, version), which is then printed.
 const Command* parse(CLI::App& program, std::vector<std::string> arguments, const std::vector<Command>& commands)
 {
+    moveCommandToFront(arguments, program, commands);
     std::reverse(arguments.begin(), arguments.end()); // CLI11 takes them from the back
     try {
         program.parse(std::move(arguments));

@@ -70,7 +70,8 @@ TEST_F(Compare, OptionsMayStandAnywhere)
     for (const std::vector<std::string>& arguments :
          {std::vector<std::string>{"compare", "--max-rmse", "0.1", reference, test, "--quiet"},
           std::vector<std::string>{"--quiet", "compare", reference, "--max-rmse", "0.1", test},
-          std::vector<std::string>{"compare", reference, test, "--quiet", "--max-rmse=0.1"}})
+          std::vector<std::string>{"compare", reference, test, "--quiet", "--max-rmse=0.1"},
+          std::vector<std::string>{"--max-rmse", "0.1", reference, "--quiet", "compare", test}})
     {
         const Outcome outcome = runTorrance(arguments);
         EXPECT_EQ(outcome.exitCode, 1) << outcome.errors;
