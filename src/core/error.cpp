@@ -1,5 +1,7 @@
 #include "core/error.h"
 
+#include <utility>
+
 namespace torrance {
 namespace {
 
@@ -12,13 +14,18 @@ std::string joined(std::string_view file, std::string_view item, std::string_vie
     text.append(problem);
     if (!remedy.empty())
         text.append("; ").append(remedy);
+    return oneLine(std::move(text));
+}
+
+} // namespace
+
+std::string oneLine(std::string text)
+{
     for (char& c : text)
         if (static_cast<unsigned char>(c) < 0x20 || c == 0x7f)
             c = '?';
     return text;
 }
-
-} // namespace
 
 Error inputError(std::string_view file, std::string_view item, std::string_view problem, std::string_view remedy)
 {

@@ -26,6 +26,10 @@ public:
     ExitCode exitCode;
 };
 
+/// `text` with every control character replaced by `?`: names come from files, and what is printed stays one line and
+/// moves no cursor.
+std::string oneLine(std::string text);
+
 /// `file: item: problem; remedy`. Item and remedy may be empty. Control characters in names taken from a file are
 /// replaced, so that the message stays one line.
 Error inputError(std::string_view file, std::string_view item, std::string_view problem, std::string_view remedy);

@@ -37,7 +37,7 @@ void checkPrimitiveCounts(const json& document, const tinygltf::Model& model, co
             report.fail(itemName("meshes", i), "has a primitive that cannot be read", kRepair);
 }
 
-std::string oneLine(std::string text)
+std::string joinedLines(std::string text)
 {
     while (!text.empty() && text.back() == '\n')
         text.pop_back();
@@ -56,7 +56,7 @@ tinygltf::Model readModel(const json& document, const GltfReport& report)
     std::string warning;
     if (!reader.LoadASCIIFromString(&model, &problem, &warning, text.data(), static_cast<unsigned>(text.size()), "",
                                     tinygltf::REQUIRE_VERSION))
-        report.fail("the document", oneLine(problem), kRepair);
+        report.fail("the document", joinedLines(problem), kRepair);
     checkPrimitiveCounts(document, model, report);
     return model;
 }

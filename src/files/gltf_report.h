@@ -22,7 +22,7 @@ struct GltfReport
     {
         if (warnings.size() >= kMaxWarnings)
             return;
-        const std::string line = file + ": " + (item.empty() ? "" : item + ": ") + text;
+        const std::string line = oneLine(file + ": " + (item.empty() ? "" : item + ": ") + text);
         if (std::find(warnings.begin(), warnings.end(), line) == warnings.end())
             warnings.push_back(warnings.size() + 1 < kMaxWarnings ? line : file + ": further warnings are not listed");
     }

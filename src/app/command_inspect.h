@@ -1,0 +1,10 @@
+#pragma once
+
+#include "app/command.h"
+
+namespace torrance {
+
+/// `torrance inspect FILE...`: what glTF files hold and need, and whether they can be drawn.
+Command inspectCommand();
+
+} // namespace torrance
