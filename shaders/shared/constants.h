@@ -21,6 +21,13 @@ SHARED_FLOAT(kLeastDenominator, 1e-30f);
 SHARED_FLOAT(kDielectricIor, 1.5f);
 SHARED_FLOAT(kDielectricF0, 0.04f);
 
+// A light nearer than this (metres) shines as from this distance: 1/d^2 stays finite where a light lies on a surface.
+SHARED_FLOAT(kMinLightDistance, 1e-6f);
+
+// A shading normal that interpolation or a normal map turned away from the viewer is bent until n.v has this value: the
+// surface is seen, so its normal cannot point away. Alters surfaces with n.v below it only.
+SHARED_FLOAT(kMinNoV, 1e-4f);
+
 #ifdef __cplusplus
 }
 #endif

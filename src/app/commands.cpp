@@ -1,14 +1,16 @@
 #include "app/commands.h"
 
 #include "app/command_compare.h"
+#include "app/command_devices.h"
 #include "app/command_inspect.h"
 #include "app/command_methods.h"
+#include "app/command_render.h"
 
 namespace torrance {
 
 std::vector<Command> allCommands()
 {
-    return {compareCommand(), inspectCommand(), methodsCommand()};
+    return {renderCommand(), inspectCommand(), compareCommand(), methodsCommand(), devicesCommand()};
 }
 
 } // namespace torrance

@@ -38,13 +38,13 @@ enum class Blend
 struct PipelineDescription
 {
     std::string name;
-    std::vector<VertexStream> streams; // binding = index in this list
+    std::vector<VertexStream> streams = {}; // binding = index in this list
     vk::PrimitiveTopology topology = vk::PrimitiveTopology::eTriangleList;
-    std::vector<vk::Format> colorFormats;
-    std::optional<vk::Format> depthFormat;
+    std::vector<vk::Format> colorFormats = {};
+    std::optional<vk::Format> depthFormat = {};
     DepthUse depth = DepthUse::none;
     Blend blend = Blend::replace;
-    std::vector<std::uint32_t> constants; // specialization constants 0, 1, ... of the fragment shader, as bits
+    std::vector<std::uint32_t> constants = {}; // specialization constants 0, 1, ... of the fragment shader, as bits
 };
 
 struct Pipeline

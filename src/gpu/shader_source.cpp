@@ -53,6 +53,9 @@ ShaderSource gatherSource(const std::filesystem::path& root, const std::string& 
         open.pop_back();
         if (source.files.contains(name))
             continue;
+        // A name may stand under an #if for C++: glslang says so if it needs one that is not there.
+        if (name != entry && name != kSelectedName && !std::filesystem::exists(root / name))
+            continue;
         const std::string text = name == kSelectedName ? selected : readText(root / name);
         for (std::string& included : includedNames(text))
             open.push_back(std::move(included));

@@ -21,7 +21,7 @@ struct ShaderSource
 };
 
 /// Reads the entry and, recursively, every file named by an #include "..." line; names are relative to `root`.
-/// `selected` stands for selected.glsl. A missing file is an Error (usage): the installation is not whole.
+/// `selected` stands for selected.glsl. A missing entry is an Error (usage): the installation is not whole.
 ShaderSource gatherSource(const std::filesystem::path& root, const std::string& entry, const std::string& selected);
 
 } // namespace torrance::gpu

@@ -1,0 +1,37 @@
+// Light from an environment: split sum (Karis 2013) for the lobe, irradiance for the body, both dimmed by occlusion.
+#ifdef DFG_TABLE
+#include "environment/dfg.glsl"
+layout(set = 0, binding = kBindDfg) uniform sampler2D dfgTable;
+
+// (scale, bias, w, E) for a view direction and roughness: src/prepare/dfg_table.h.
+vec4 directionalAlbedo(float NoV, float perceptualRoughness)
+{
+    return textureLod(dfgTable, dfgUv(NoV, perceptualRoughness, vec2(textureSize(dfgTable, 0))), 0.0);
+}
+#endif
+
+#ifdef ENVIRONMENT_LIGHT
+#include "environment/prefiltered.glsl"
+layout(set = 0, binding = kBindEnvironmentSpecular) uniform samplerCube environmentSpecular;
+layout(set = 0, binding = kBindEnvironmentDiffuse) uniform samplerCube environmentDiffuse;
+
+vec3 environmentLight(Surface s, float alpha, vec4 albedo)
+{
+    vec3 n = frame.environmentFromWorld * s.normal;
+    vec3 r = frame.environmentFromWorld * reflect(-s.view, s.normal);
+    // The lobes of glTF's dielectric and metal (shaders/material/brdf.glsl), each under an environment of radiance 1.
+    const vec3 dielectricF0 = vec3(kDielectricF0);
+    vec3 dielectric = dielectricF0 * albedo.x + albedo.y;
+    vec3 metal = s.baseColor * albedo.x + albedo.y;
+#ifdef COMPENSATES
+    dielectric *= SELECTED_multiple_scattering(dielectricF0, albedo.w);
+    metal *= SELECTED_multiple_scattering(s.baseColor, albedo.w);
+#endif
+    vec3 lobe = dielectric * (1.0 - s.metallic) + metal * s.metallic;
+    vec3 specular = prefilteredRadiance(environmentSpecular, r, alpha, frame.environmentLastLevel) * lobe;
+    // What the dielectric interface lets through: (1 - F) averaged over the light directions, w = (1/pi) int (1-VoH)^5 NoL.
+    vec3 body = s.baseColor * ((1.0 - s.metallic) * (1.0 - kDielectricF0) * (1.0 - albedo.z));
+    vec3 diffuse = textureLod(environmentDiffuse, n, 0.0).rgb * body;
+    return (specular + diffuse) * (s.occlusion * frame.environmentIntensity);
+}
+#endif

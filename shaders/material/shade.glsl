@@ -1,0 +1,70 @@
+// Light that leaves a surface towards the viewer.
+#if defined(UNLIT) || !defined(LIT)
+
+// KHR_materials_unlit: base colour alone. Points and lines without normals: base colour plus emission (glTF 2.0, 3.9.7).
+vec3 shade(Surface s)
+{
+    return s.baseColor + s.emissive;
+}
+
+#else
+
+#include "light/punctual.glsl"
+#include "material/brdf.glsl"
+#include "environment/lighting.glsl"
+
+layout(constant_id = 0) const uint kDirectionalCount = 0;
+layout(constant_id = 1) const uint kPointCount = 0;
+layout(constant_id = 2) const uint kSpotCount = 0;
+
+#ifdef PUNCTUAL_LIGHTS
+layout(set = 0, binding = kBindLights, scalar) readonly buffer LightBuffer { Light lights[]; };
+
+// What one light adds: f(v, l) * irradiance, `l` unit, `irradiance` of a surface that faces the light.
+vec3 reflected(Surface s, float alpha, float E, vec3 l, vec3 irradiance)
+{
+    float NoL = dot(s.normal, l);
+    if (NoL <= 0.0)
+        return vec3(0.0);
+    return brdf(s.normal, s.view, l, s.baseColor, s.metallic, s.perceptualRoughness, alpha, E) * irradiance * NoL;
+}
+
+vec3 punctualLight(Surface s, float alpha, float E)
+{
+    vec3 sum = vec3(0.0);
+    for (uint i = 0; i < kDirectionalCount; ++i)
+        sum += reflected(s, alpha, E, lights[i].direction, lights[i].intensity);
+    for (uint i = 0; i < kPointCount + kSpotCount; ++i)
+    {
+        Light light = lights[kDirectionalCount + i];
+        vec3 toLight = light.position - s.position;
+        float distance2 = dot(toLight, toLight);
+        vec3 l = distance2 > 0.0 ? toLight * inversesqrt(distance2) : s.normal;
+        float attenuation = distanceAttenuation(distance2, light.inverseRange);
+        if (i >= kPointCount)
+            attenuation *= coneAttenuation(dot(l, light.direction), light.coneScale, light.coneOffset);
+        sum += reflected(s, alpha, E, l, light.intensity * attenuation);
+    }
+    return sum;
+}
+#endif
+
+vec3 shade(Surface s)
+{
+    float alpha = max(s.perceptualRoughness * s.perceptualRoughness, kMinAlpha);
+    vec3 color = s.emissive;
+#ifdef DFG_TABLE
+    vec4 albedo = directionalAlbedo(clamp(dot(s.normal, s.view), 0.0, 1.0), s.perceptualRoughness);
+#else
+    vec4 albedo = vec4(0.0, 0.0, 0.0, 1.0);
+#endif
+#ifdef PUNCTUAL_LIGHTS
+    color += punctualLight(s, alpha, albedo.w);
+#endif
+#ifdef ENVIRONMENT_LIGHT
+    color += environmentLight(s, alpha, albedo);
+#endif
+    return color;
+}
+
+#endif

@@ -1,0 +1,97 @@
+// The surface of an analytic shape under a pixel: exact but for the rounding of its inputs.
+#include "material/bend_normal.glsl"
+#include "material/surface.glsl"
+#include "shared/instance.h"
+
+layout(set = 0, binding = kBindInstances, scalar) readonly buffer InstanceBuffer { Instance instances[]; };
+
+layout(location = 6) flat in uint inInstance;
+
+struct PixelRay
+{
+    vec3 origin;    // relative to the eye
+    vec3 direction; // unit
+};
+
+PixelRay pixelRay()
+{
+    vec3 q = frame.corner + gl_FragCoord.x * frame.across + gl_FragCoord.y * frame.down;
+    return PixelRay(q * frame.orthographic, normalize(mix(q, frame.forward, frame.orthographic)));
+}
+
+struct Hit
+{
+    bool found;
+    vec3 position;
+    vec3 normal; // unit, the side that the shape calls outside
+};
+
+// Nearest hit of a sphere. The distance of the ray from the centre comes from the vector between them: b^2 - c, the
+// textbook form, loses the bits that decide near the silhouette (Haines et al., Precision Improvements for Ray/Sphere
+// Intersection, Ray Tracing Gems, 2019).
+Hit hitSphere(PixelRay ray, vec3 center, float radius)
+{
+    vec3 toCenter = center - ray.origin;
+    float along = dot(toCenter, ray.direction);
+    vec3 apart = toCenter - along * ray.direction;
+    float apartLength = length(apart);
+    float half2 = (radius - apartLength) * (radius + apartLength);
+    Hit hit;
+    hit.found = half2 >= 0.0 && along > 0.0;
+    vec3 normal = -(apart + sqrt(max(half2, 0.0)) * ray.direction) / radius;
+    hit.normal = normal;
+    hit.position = center + radius * normal;
+    return hit;
+}
+
+// The square |x|, |y| <= 1 of the plane z = 0 of the instance's axes, scale `size`.
+Hit hitSquare(PixelRay ray, mat3 axes, vec3 center, float size)
+{
+    vec3 normal = axes[2];
+    vec3 toCenter = center - ray.origin;
+    float distance = dot(toCenter, normal) / dot(ray.direction, normal);
+    vec3 offset = distance * ray.direction - toCenter;
+    Hit hit;
+    hit.found = distance > 0.0 && abs(dot(offset, axes[0])) <= size && abs(dot(offset, axes[1])) <= size;
+    hit.normal = normal;
+    hit.position = center + offset;
+    return hit;
+}
+
+Surface readSurface()
+{
+    Instance instance = instances[inInstance];
+    float size = length(instance.linear[0]); // a shape's scale is uniform
+    PixelRay ray = pixelRay();
+#ifdef SURFACE_SPHERE
+    Hit hit = hitSphere(ray, instance.translation, size);
+#else
+    Hit hit = hitSquare(ray, instance.linear / size, instance.translation, size);
+#endif
+    vec3 view = -ray.direction;
+    bool front = dot(hit.normal, view) > 0.0;
+#ifdef DOUBLE_SIDED
+    hit.normal = front ? hit.normal : -hit.normal;
+#else
+    hit.found = hit.found && front;
+#endif
+    if (!hit.found)
+        discard;
+    vec4 clip = frame.clipFromEye * vec4(hit.position, 1.0);
+    gl_FragDepth = clip.z / clip.w;
+
+    Material material = materials[instance.material];
+    Surface s;
+    s.position = hit.position;
+    s.geometricNormal = hit.normal;
+    s.view = view;
+    s.normal = bendNormal(hit.normal, view);
+    s.baseColor = material.baseColorFactor.rgb;
+    s.alpha = material.baseColorFactor.a;
+    s.metallic = material.metallicFactor;
+    s.perceptualRoughness = material.roughnessFactor;
+    s.occlusion = 1.0;
+    s.emissive = material.emissiveFactor;
+    s.ids = uvec2(instance.material, instance.object);
+    return s;
+}

@@ -1,0 +1,13 @@
+// A surface's colour: premultiplied, scene-linear.
+#include "selected.glsl"
+#include "passes/surface_inputs.glsl"
+#include "material/shade.glsl"
+
+layout(location = 0) out vec4 outColor;
+
+void main()
+{
+    Surface s = readSurface();
+    applyAlphaMode(s, materials[s.ids.x].alphaCutoff);
+    outColor = vec4(shade(s) * s.alpha, s.alpha);
+}

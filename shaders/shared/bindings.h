@@ -1,0 +1,26 @@
+// Binding numbers of the one descriptor set.
+#ifndef TORRANCE_SHARED_BINDINGS_H
+#define TORRANCE_SHARED_BINDINGS_H
+
+#include "shared/language.h"
+
+SHARED_BEGIN
+
+SHARED_UINT(kBindFrame, 0);
+SHARED_UINT(kBindInstances, 1);
+SHARED_UINT(kBindMaterials, 2);
+SHARED_UINT(kBindLights, 3);
+SHARED_UINT(kBindBaseColor, 4);
+SHARED_UINT(kBindMetallicRoughness, 5);
+SHARED_UINT(kBindNormal, 6);
+SHARED_UINT(kBindOcclusion, 7);
+SHARED_UINT(kBindEmissive, 8);
+SHARED_UINT(kBindEnvironmentSpecular, 9);
+SHARED_UINT(kBindEnvironmentDiffuse, 10);
+SHARED_UINT(kBindDfg, 11);
+SHARED_UINT(kBindPanorama, 12);
+SHARED_UINT(kBindSource, 13); // the picture that an image pass reads
+
+SHARED_END
+
+#endif

@@ -1,0 +1,35 @@
+// What is the same for all surfaces of a picture. Positions are relative to the eye, axes are the world's: coordinates of
+// a million metres lose nothing.
+#ifndef TORRANCE_SHARED_FRAME_H
+#define TORRANCE_SHARED_FRAME_H
+
+#include "shared/language.h"
+
+SHARED_BEGIN
+
+struct Frame
+{
+    mat4 clipFromEye; // eye-relative position to clip, reversed depth, moved by the sample's place in the pixel
+
+    // The direction to the viewer is normalize(towardsEye - eyeWeight * position): perspective (0, 1), orthographic (back, 0).
+    vec3 towardsEye;
+    float eyeWeight;
+
+    // The ray of a pixel: q = corner + x * across + y * down (x, y in pixels from the top left).
+    // Perspective: from 0 along q. Orthographic: from q along forward.
+    vec3 corner;
+    vec3 across;
+    vec3 down;
+    vec3 forward;
+    float orthographic; // 0 or 1
+
+    mat3 environmentFromWorld; // rotation
+    float environmentIntensity;
+    float environmentLastLevel; // of the prefiltered chain
+    vec4 backgroundColor;       // premultiplied
+    float panoramaLevel;        // mip of the panorama that has about one texel a pixel
+};
+
+SHARED_END
+
+#endif

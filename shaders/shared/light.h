@@ -1,0 +1,22 @@
+#ifndef TORRANCE_SHARED_LIGHT_H
+#define TORRANCE_SHARED_LIGHT_H
+
+#include "shared/language.h"
+
+SHARED_BEGIN
+
+// KHR_lights_punctual. Directional lights use direction and intensity; point lights add position and range; spot lights
+// add the cone.
+struct Light
+{
+    vec3 position;  // relative to the eye
+    vec3 direction; // towards the light: minus the way it travels
+    vec3 intensity; // colour times lux or candela
+    float inverseRange; // 0 = unlimited
+    float coneScale;    // angular attenuation = clamp(cos * scale + offset, 0, 1)^2
+    float coneOffset;
+};
+
+SHARED_END
+
+#endif

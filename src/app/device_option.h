@@ -1,0 +1,20 @@
+// The device that a command works on, and the folder in which what it makes is kept.
+#pragma once
+
+#include "app/command.h"
+#include "gpu/device.h"
+
+#include <filesystem>
+#include <string>
+
+namespace torrance {
+
+void declareDeviceOption(CLI::App& app, std::string& choice);
+
+/// The user's cache folder; empty with --no-cache.
+std::filesystem::path cacheFolder(const GlobalOptions& global);
+
+/// Sets what drivers read from the environment, then opens the device.
+gpu::Device openDevice(const std::string& choice, const GlobalOptions& global);
+
+} // namespace torrance

@@ -1,0 +1,56 @@
+#include "app/environment_option.h"
+
+#include "core/data_folder.h"
+#include "core/error.h"
+#include "core/log.h"
+#include "files/environment_file.h"
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace torrance {
+namespace {
+
+constexpr std::array kBuiltIn = {"studio", "sky", "furnace"};
+
+std::string fileOf(const std::string& name)
+{
+    if (std::ranges::find(kBuiltIn, name) != kBuiltIn.end())
+        return (dataFolder() / "assets" / "environments" / (name + ".hdr")).string();
+    return name;
+}
+
+} // namespace
+
+void declareEnvironmentOptions(CLI::App& app, EnvironmentOptions& options)
+{
+    app.add_option(
+           "-e,--environment,--hdri,--ibl", options.name,
+           "Light around the scene: studio (default), sky, furnace, none, or a lat-long picture (.hdr, .exr, ...)")
+        ->group("Light")
+        ->type_name("NAME|FILE");
+    app.add_option("--environment-rotation", options.rotation, "Turns the environment about +Y, degrees")
+        ->group("Light");
+    app.add_option("--environment-intensity", options.intensity, "Factor on the environment")->group("Light");
+}
+
+std::optional<Environment> loadChosenEnvironment(const EnvironmentOptions& options)
+{
+    if (!std::isfinite(options.rotation))
+        throw usageError("--environment-rotation must be a number", "give degrees");
+    if (!(options.intensity >= 0.0) || !std::isfinite(options.intensity))
+        throw usageError("--environment-intensity must be 0 or more", "1 is the default");
+    if (options.name == "none")
+        return std::nullopt;
+    LoadedEnvironment loaded = loadEnvironment(fileOf(options.name));
+    for (const std::string& warning : loaded.warnings)
+        logWarning(warning);
+    return Environment{.name = options.name,
+                       .radiance = std::move(loaded.radiance),
+                       .rotation = options.rotation * kPi / 180.0,
+                       .intensity = options.intensity};
+}
+
+} // namespace torrance

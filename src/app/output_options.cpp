@@ -1,0 +1,72 @@
+#include "app/output_options.h"
+
+#include "app/option_value.h"
+#include "core/error.h"
+
+#include <CLI/CLI.hpp>
+#include <cmath>
+#include <filesystem>
+#include <set>
+
+namespace torrance {
+namespace {
+
+constexpr std::string_view kStem = "{stem}";
+
+std::string withStem(std::string pattern, const std::string& input)
+{
+    const std::string stem = std::filesystem::path(input).stem().string();
+    for (std::size_t at = pattern.find(kStem); at != std::string::npos; at = pattern.find(kStem, at + stem.size()))
+        pattern.replace(at, kStem.size(), stem);
+    return pattern;
+}
+
+} // namespace
+
+void declareOutputOptions(CLI::App& app, OutputOptions& options)
+{
+    const char* group = "Output";
+    app.add_option("-o,--output", options.pattern,
+                   "Picture to write: .png, .jpg, .webp (display-referred), .exr, .hdr (scene-linear); '-' writes PNG "
+                   "to standard output; {stem} stands for the input's name")
+        ->group(group)
+        ->type_name("FILE")
+        ->required();
+    std::vector<std::string> curves;
+    for (const ToneCurve& curve : allToneCurves())
+        curves.emplace_back(curve.id);
+    addChoice(app, "--tone", options.tone, curves, "Tone curve of display-referred pictures")->group(group);
+    app.add_option("--exposure", options.exposure, "Stops added before the tone curve")->group(group);
+    app.add_option("--bits", options.bits, "Bits per channel of PNG: 8 or 16")
+        ->group(group)
+        ->check(CLI::IsMember({8, 16}));
+    app.add_option("--quality", options.quality, "Of JPEG and WebP, 1 to 100 (default 95)")
+        ->group(group)
+        ->check(CLI::Range(1, 100));
+}
+
+std::vector<std::string> outputNames(const OutputOptions& options, const std::vector<std::string>& inputs)
+{
+    if (!std::isfinite(options.exposure))
+        throw usageError("--exposure must be a number", "give stops, such as 1 or -0.5");
+    std::vector<std::string> names;
+    std::set<std::string> seen;
+    for (const std::string& input : inputs) {
+        names.push_back(withStem(options.pattern, input));
+        imageFormatOf(names.back()); // an unknown format is said before anything is drawn
+        if (!seen.insert(names.back()).second)
+            throw usageError("two inputs would be written to " + names.back(),
+                             "put {stem} into --output, and give inputs different names");
+    }
+    return names;
+}
+
+WriteSettings writeSettings(const OutputOptions& options)
+{
+    return {.exposure = options.exposure,
+            .tone = findToneCurve(options.tone),
+            .bitsPerChannel = options.bits,
+            .quality = options.quality};
+}
+
+} // namespace torrance

@@ -1,0 +1,51 @@
+// Environments and the tables of their light on the device: only what a plan uses, each made once.
+#pragma once
+
+#include "core/content_hash.h"
+#include "core/disk_cache.h"
+#include "gpu/image.h"
+#include "plan/shading_plan.h"
+
+#include <filesystem>
+#include <map>
+#include <optional>
+#include <string>
+#include <tuple>
+
+namespace torrance {
+
+/// What one scene binds; null where its plan has no use for it. Owned by the store.
+struct EnvironmentImages
+{
+    const gpu::DeviceImage* specular = nullptr; // cube, prefiltered chain
+    const gpu::DeviceImage* diffuse = nullptr;  // cube, irradiance / pi
+    const gpu::DeviceImage* panorama = nullptr; // lat-long, with mips
+    const gpu::DeviceImage* dfg = nullptr;      // directional albedos
+};
+
+class EnvironmentStore
+{
+public:
+    /// `cacheFolder` keeps prefiltered environments by their content; empty: they are made anew in every process.
+    EnvironmentStore(const gpu::Device& device, const std::filesystem::path& cacheFolder);
+
+    EnvironmentImages get(const Scene& scene, const ShadingPlan& plan);
+
+private:
+    struct LightCubes
+    {
+        gpu::DeviceImage specular;
+        gpu::DeviceImage diffuse;
+    };
+    const LightCubes& lightCubes(const Image& radiance, const ContentHash& content);
+    const gpu::DeviceImage& panorama(const Image& radiance, const ContentHash& content);
+    const gpu::DeviceImage& dfgTable();
+
+    const gpu::Device& device;
+    DiskCache cache;
+    std::map<std::string, LightCubes> cubes;           // by the panorama's content
+    std::map<std::string, gpu::DeviceImage> panoramas; // likewise
+    std::optional<gpu::DeviceImage> dfg;
+};
+
+} // namespace torrance

@@ -1,0 +1,81 @@
+#include "passes/targets.h"
+
+#include <cstring>
+
+namespace torrance {
+namespace {
+
+vk::RenderingAttachmentInfo attachment(const gpu::DeviceImage& image, vk::ImageLayout layout, LoadTarget load)
+{
+    return {.imageView = *image.view,
+            .imageLayout = layout,
+            .loadOp = load == LoadTarget::clear ? vk::AttachmentLoadOp::eClear : vk::AttachmentLoadOp::eLoad,
+            .storeOp = vk::AttachmentStoreOp::eStore,
+            .clearValue = {}}; // zeros: no light, no coverage, infinitely far
+}
+
+} // namespace
+
+gpu::DeviceImage makeColorTarget(const gpu::Device& device, int width, int height, const char* name)
+{
+    using Usage = vk::ImageUsageFlagBits;
+    return gpu::makeImage(device,
+                          {.width = static_cast<std::uint32_t>(width),
+                           .height = static_cast<std::uint32_t>(height),
+                           .format = kColorFormat},
+                          Usage::eColorAttachment | Usage::eSampled | Usage::eTransferSrc, name);
+}
+
+gpu::DeviceImage makeDepthTarget(const gpu::Device& device, int width, int height)
+{
+    return gpu::makeImage(device,
+                          {.width = static_cast<std::uint32_t>(width),
+                           .height = static_cast<std::uint32_t>(height),
+                           .format = kDepthFormat},
+                          vk::ImageUsageFlagBits::eDepthStencilAttachment, "depth");
+}
+
+void beginRendering(gpu::Commands& commands, std::span<const gpu::DeviceImage* const> colors,
+                    const gpu::DeviceImage* depth, LoadTarget loadColor, LoadTarget loadDepth)
+{
+    std::vector<gpu::ImageUse> uses;
+    std::vector<vk::RenderingAttachmentInfo> attachments;
+    for (const gpu::DeviceImage* color : colors) {
+        uses.push_back(gpu::use(*color, gpu::Access::colorAttachment, loadColor == LoadTarget::clear));
+        attachments.push_back(attachment(*color, vk::ImageLayout::eColorAttachmentOptimal, loadColor));
+    }
+    vk::RenderingAttachmentInfo depthAttachment;
+    if (depth) {
+        uses.push_back(gpu::use(*depth, gpu::Access::depthAttachment, loadDepth == LoadTarget::clear));
+        depthAttachment = attachment(*depth, vk::ImageLayout::eDepthStencilAttachmentOptimal, loadDepth);
+    }
+    commands.use(uses);
+    const gpu::ImageShape& shape = colors.front()->shape;
+    const vk::Rect2D area = {{0, 0}, {shape.width, shape.height}};
+    commands.buffer.beginRendering({.renderArea = area,
+                                    .layerCount = 1,
+                                    .colorAttachmentCount = static_cast<std::uint32_t>(attachments.size()),
+                                    .pColorAttachments = attachments.data(),
+                                    .pDepthAttachment = depth ? &depthAttachment : nullptr});
+    commands.buffer.setViewport(
+        0, vk::Viewport{0.0f, 0.0f, static_cast<float>(shape.width), static_cast<float>(shape.height), 0.0f, 1.0f});
+    commands.buffer.setScissor(0, area);
+    commands.buffer.setCullMode(vk::CullModeFlagBits::eNone);
+    commands.buffer.setFrontFace(vk::FrontFace::eCounterClockwise);
+}
+
+Image readBack(const gpu::Device& device, const gpu::DeviceImage& target)
+{
+    const gpu::ImageShape& shape = target.shape;
+    constexpr std::size_t kTexelBytes = 4 * sizeof(float);
+    Image image(static_cast<int>(shape.width), static_cast<int>(shape.height), 4);
+    const gpu::Buffer buffer =
+        gpu::makeReadbackBuffer(device, vk::DeviceSize(shape.width) * shape.height * kTexelBytes, "readback");
+    gpu::Commands commands(device);
+    gpu::copyToBuffer(commands, target, buffer);
+    commands.submitAndWait();
+    std::memcpy(image.texels.data(), buffer.mapped, image.texels.size() * sizeof(float));
+    return image;
+}
+
+} // namespace torrance

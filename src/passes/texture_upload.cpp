@@ -1,0 +1,142 @@
+#include "passes/texture_upload.h"
+
+#include "gpu/buffer.h"
+#include "gpu/commands.h"
+#include "image/srgb.h"
+#include "passes/sampler.h"
+
+#include <array>
+#include <bit>
+#include <cmath>
+#include <cstring>
+#include <set>
+
+namespace torrance {
+namespace {
+
+// A texture as the device gets it: mips from large to small, tightly packed.
+struct Texels
+{
+    vk::Format format;
+    std::size_t bytesPerTexel;
+    std::uint32_t mips;
+    std::vector<std::byte> bytes;
+};
+
+// There is no 16-bit sRGB format: the curve is undone here, in float, so that filtering happens in linear light.
+void appendDecoded(std::vector<std::byte>& bytes, const TextureImage& level)
+{
+    std::vector<float> linear(static_cast<std::size_t>(level.width) * static_cast<std::size_t>(level.height) * 4);
+    for (std::size_t i = 0; i < linear.size(); ++i) {
+        std::uint16_t stored;
+        std::memcpy(&stored, level.texels.data() + i * sizeof stored, sizeof stored);
+        const double value = stored / 65535.0;
+        linear[i] = static_cast<float>(i % 4 == 3 ? value : srgbDecode(value));
+    }
+    const auto view = std::as_bytes(std::span(linear));
+    bytes.insert(bytes.end(), view.begin(), view.end());
+}
+
+Texels makeTexels(const TextureImage& image, TexelContent content, bool mips, bool weighByAlpha)
+{
+    std::vector<TextureImage> levels;
+    if (mips)
+        levels = makeMips(image, {.content = content, .weighByAlpha = weighByAlpha});
+    const bool wide = image.format == TexelFormat::rgba16;
+    const bool decode = wide && content == TexelContent::color;
+    Texels texels = {.format = decode                           ? vk::Format::eR32G32B32A32Sfloat
+                               : wide                           ? vk::Format::eR16G16B16A16Unorm
+                               : content == TexelContent::color ? vk::Format::eR8G8B8A8Srgb
+                                                                : vk::Format::eR8G8B8A8Unorm,
+                     .bytesPerTexel = decode ? 16 : bytesPerTexel(image.format),
+                     .mips = static_cast<std::uint32_t>(1 + levels.size()),
+                     .bytes = {}};
+    const auto append = [&](const TextureImage& level) {
+        if (decode)
+            appendDecoded(texels.bytes, level);
+        else
+            texels.bytes.insert(texels.bytes.end(), level.texels.begin(), level.texels.end());
+    };
+    append(image);
+    for (const TextureImage& level : levels)
+        append(level);
+    return texels;
+}
+
+gpu::DeviceImage upload(const gpu::Device& device, const TextureImage& source, const Texels& texels)
+{
+    using Usage = vk::ImageUsageFlagBits;
+    gpu::DeviceImage image = gpu::makeImage(device,
+                                            {.width = static_cast<std::uint32_t>(source.width),
+                                             .height = static_cast<std::uint32_t>(source.height),
+                                             .mips = texels.mips,
+                                             .format = texels.format},
+                                            Usage::eSampled | Usage::eTransferDst, source.name);
+    const gpu::Buffer staging = gpu::makeBuffer(device, texels.bytes, vk::BufferUsageFlagBits::eTransferSrc, "texels");
+    gpu::Commands commands(device);
+    gpu::copyToImage(commands, staging, image, texels.bytesPerTexel);
+    commands.submitAndWait();
+    return image;
+}
+
+} // namespace
+
+TexelContent contentOf(std::size_t slot)
+{
+    constexpr std::array kContents = {TexelContent::color, TexelContent::data, TexelContent::normal, TexelContent::data,
+                                      TexelContent::color};
+    return kContents[slot];
+}
+
+Textures::Textures(const gpu::Device& device, const Scene& scene, const ShadingPlan& plan)
+{
+    // N samples a pixel: each stands for 1/N of its area, so the level may be finer by half a step per doubling.
+    const float lodBias = -0.5f * std::log2(static_cast<float>(plan.settings.samples));
+    struct Need
+    {
+        bool mips = false;
+        bool alphaMatters = false;
+    };
+    std::map<std::pair<int, TexelContent>, Need> needs;
+    for (const Texture& texture : scene.textures) {
+        imageOf.push_back(texture.image);
+        samplers.emplace_back(nullptr);
+    }
+    for (const auto* list : {&plan.batches, &plan.blended})
+        for (const Batch& batch : *list)
+            for (std::size_t slot = 0; slot < batch.textures.size(); ++slot) {
+                if (batch.textures[slot] < 0)
+                    continue;
+                const auto index = static_cast<std::size_t>(batch.textures[slot]);
+                const Texture& texture = scene.textures[index];
+                Need& need = needs[{texture.image, contentOf(slot)}];
+                need.mips |= texture.sampler.mip != MipFilter::none;
+                need.alphaMatters |= slot == 0 && batch.key.alphaMode != AlphaMode::opaque;
+                if (!*samplers[index])
+                    samplers[index] = makeSampler(device, texture.sampler, lodBias);
+            }
+    for (const auto& [use, need] : needs) {
+        const TextureImage& source = scene.images[static_cast<std::size_t>(use.first)];
+        images.emplace(use, upload(device, source, makeTexels(source, use.second, need.mips, need.alphaMatters)));
+    }
+}
+
+const gpu::DeviceImage& Textures::image(int texture, TexelContent content) const
+{
+    return images.at({imageOf[static_cast<std::size_t>(texture)], content});
+}
+
+const vk::raii::Sampler& Textures::sampler(int texture) const
+{
+    return samplers[static_cast<std::size_t>(texture)];
+}
+
+std::vector<gpu::ImageUse> Textures::uses() const
+{
+    std::vector<gpu::ImageUse> list;
+    for (const auto& [use, image] : images)
+        list.push_back(gpu::use(image, gpu::Access::sampled));
+    return list;
+}
+
+} // namespace torrance

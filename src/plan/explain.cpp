@@ -1,0 +1,56 @@
+#include "plan/shading_plan.h"
+
+#include <set>
+
+namespace torrance {
+namespace {
+
+std::string counted(std::size_t n, const char* one, const char* many)
+{
+    return std::to_string(n) + " " + (n == 1 ? one : many);
+}
+
+void addMethods(std::string& text, const brdf::Preset& methods)
+{
+    text += "methods\n";
+    for (const brdf::Slot slot : brdf::allSlots())
+        if (const brdf::Method* method = methods[slot])
+            text.append("  ").append(brdf::slotName(slot)).append(": ").append(method->id).append("\n");
+}
+
+void addDrawn(std::string& text, const ShadingPlan& plan)
+{
+    std::set<std::string> pipelines;
+    std::size_t draws = 0;
+    for (const auto* list : {&plan.batches, &plan.blended})
+        for (const Batch& batch : *list) {
+            pipelines.insert(batch.key.name());
+            draws += batch.draws.size();
+        }
+    text += "drawn\n";
+    text += "  " + counted(plan.instances.size(), "instance", "instances") + " in " + counted(draws, "draw", "draws") +
+            ", " + counted(plan.batches.size() + plan.blended.size(), "batch", "batches") + "\n";
+    text += "  " + counted(static_cast<std::size_t>(plan.lightCounts[0]), "directional light", "directional lights") +
+            ", " + counted(static_cast<std::size_t>(plan.lightCounts[1]), "point light", "point lights") + ", " +
+            counted(static_cast<std::size_t>(plan.lightCounts[2]), "spot light", "spot lights") + "\n";
+    text += std::string("  environment: ") + (plan.environmentLight ? "lights the scene" : "lights nothing") +
+            (plan.panorama ? ", is seen behind it" : ", is not seen") + "\n";
+    text += "pipelines\n";
+    for (const std::string& name : pipelines)
+        text += "  " + name + "\n";
+}
+
+} // namespace
+
+std::string explain(const ShadingPlan& plan)
+{
+    std::string text;
+    addMethods(text, plan.settings.methods);
+    addDrawn(text, plan);
+    text += "decided\n";
+    for (const Remark& remark : plan.remarks)
+        text += "  " + remark.subject + ": " + remark.choice + " (" + remark.reason + ")\n";
+    return text;
+}
+
+} // namespace torrance

@@ -1,0 +1,82 @@
+#include "plan/shading_plan.h"
+
+#include "brdf/selection.h"
+
+namespace torrance {
+namespace {
+
+void define(std::string& text, const char* name, bool set)
+{
+    if (set)
+        text.append("#define ").append(name).append("\n");
+}
+
+// A texture's coordinates as one expression of the fragment's inputs: #define NORMAL_UV transformUv(material.normalUv,
+// inUv0)
+void defineUv(std::string& text, const TextureKey& key, const char* macro, const char* member)
+{
+    if (!key.used)
+        return;
+    const std::string uv = "inUv" + std::to_string(key.uvSet);
+    text.append("#define ").append(macro).append(" ");
+    text.append(key.transformed ? std::string("transformUv(material.") + member + ", " + uv + ")" : uv).append("\n");
+}
+
+const char* surfaceMacro(SurfaceKind kind)
+{
+    switch (kind) {
+    case SurfaceKind::triangles:
+        return "SURFACE_TRIANGLES";
+    case SurfaceKind::lines:
+        return "SURFACE_LINES";
+    case SurfaceKind::points:
+        return "SURFACE_POINTS";
+    case SurfaceKind::sphere:
+        return "SURFACE_SPHERE";
+    case SurfaceKind::plane:
+        return "SURFACE_PLANE";
+    }
+    return "";
+}
+
+bool isMesh(SurfaceKind kind)
+{
+    return kind != SurfaceKind::sphere && kind != SurfaceKind::plane;
+}
+
+} // namespace
+
+std::string selectedText(const ShadingPlan& plan, const ShaderKey& key)
+{
+    std::string text = "// " + key.name() + "\n";
+    const bool lit = !key.unlit && key.normals;
+    define(text, surfaceMacro(key.surface), true);
+    define(text, "NORMALS", key.normals && isMesh(key.surface));
+    define(text, "TANGENTS", key.tangents());
+    define(text, "UV0", key.usesUv(0));
+    define(text, "UV1", key.usesUv(1));
+    define(text, "COLORS", key.colors);
+    define(text, "ALPHA_MASK", key.alphaMode == AlphaMode::mask);
+    define(text, "ALPHA_BLEND", key.alphaMode == AlphaMode::blend);
+    define(text, "DOUBLE_SIDED", key.doubleSided);
+    define(text, "UNLIT", key.unlit);
+    define(text, "LIT", lit);
+    define(text, "PUNCTUAL_LIGHTS", lit && !plan.lights.empty());
+    define(text, "ENVIRONMENT_LIGHT", lit && plan.environmentLight);
+    define(text, "DFG_TABLE", lit && (plan.environmentLight || (key.compensates && !plan.lights.empty())));
+    define(text, "COMPENSATES", key.compensates);
+    defineUv(text, key.baseColor, "BASE_COLOR_UV", "baseColorUv");
+    defineUv(text, key.metallicRoughness, "METALLIC_ROUGHNESS_UV", "metallicRoughnessUv");
+    defineUv(text, key.normal, "NORMAL_UV", "normalUv");
+    defineUv(text, key.occlusion, "OCCLUSION_UV", "occlusionUv");
+    defineUv(text, key.emissive, "EMISSIVE_UV", "emissiveUv");
+    if (lit) {
+        brdf::Preset methods = plan.settings.methods;
+        if (!key.compensates)
+            methods.multipleScattering = brdf::findMethod(brdf::Slot::multipleScattering, "none");
+        text += brdf::selectedGlsl(methods);
+    }
+    return text;
+}
+
+} // namespace torrance

@@ -1,0 +1,27 @@
+// What is asked of a picture, beyond the scene itself.
+#pragma once
+
+#include "brdf/method.h"
+#include "math/vector.h"
+
+namespace torrance {
+
+enum class BackgroundKind
+{
+    environment, // the panorama; black where the scene has none
+    color,
+    transparent, // alpha 0, colours premultiplied
+};
+
+struct Settings
+{
+    brdf::Preset methods;
+    int width = 1024;
+    int height = 1024;
+    int samples = 1; // per pixel
+    BackgroundKind background = BackgroundKind::environment;
+    dvec3 backgroundColor = dvec3(0.0); // scene-linear
+    bool layers = false;                // surface parameters as pictures of their own
+};
+
+} // namespace torrance

@@ -1,0 +1,59 @@
+#include "plan/shader_key.h"
+
+namespace torrance {
+namespace {
+
+const char* surfaceName(SurfaceKind kind)
+{
+    switch (kind) {
+    case SurfaceKind::triangles:
+        return "triangles";
+    case SurfaceKind::lines:
+        return "lines";
+    case SurfaceKind::points:
+        return "points";
+    case SurfaceKind::sphere:
+        return "sphere";
+    case SurfaceKind::plane:
+        return "plane";
+    }
+    return "";
+}
+
+} // namespace
+
+bool ShaderKey::usesUv(int set) const
+{
+    for (const TextureKey* texture : {&baseColor, &metallicRoughness, &normal, &occlusion, &emissive})
+        if (texture->used && texture->uvSet == set)
+            return true;
+    return false;
+}
+
+std::string ShaderKey::name() const
+{
+    std::string text = surfaceName(surface);
+    const auto texture = [&](const TextureKey& key, const char* label) {
+        if (key.used)
+            text.append(" ").append(label).append(std::to_string(key.uvSet)).append(key.transformed ? "t" : "");
+    };
+    const auto flag = [&](bool set, const char* label) {
+        if (set)
+            text.append(" ").append(label);
+    };
+    flag(!normals, "no-normals");
+    flag(colors, "colors");
+    texture(baseColor, "baseColor");
+    texture(metallicRoughness, "metallicRoughness");
+    texture(normal, "normal");
+    texture(occlusion, "occlusion");
+    texture(emissive, "emissive");
+    flag(alphaMode == AlphaMode::mask, "mask");
+    flag(alphaMode == AlphaMode::blend, "blend");
+    flag(doubleSided, "double-sided");
+    flag(unlit, "unlit");
+    flag(compensates, "compensated");
+    return text;
+}
+
+} // namespace torrance

@@ -1,0 +1,49 @@
+// What decides the text of a surface shader, and nothing else. Primitives of one key share a pipeline.
+#pragma once
+
+#include "scene/material.h"
+#include "scene/scene.h"
+
+#include <compare>
+#include <string>
+
+namespace torrance {
+
+/// Where the surface comes from.
+enum class SurfaceKind
+{
+    triangles,
+    lines,
+    points,
+    sphere, // analytic
+    plane,  // analytic
+};
+
+struct TextureKey
+{
+    bool used = false;
+    int uvSet = 0;
+    bool transformed = false; // not the identity
+
+    auto operator<=>(const TextureKey&) const = default;
+};
+
+struct ShaderKey
+{
+    SurfaceKind surface = SurfaceKind::triangles;
+    bool normals = true; // points and lines may have none: they are then drawn unlit, as glTF asks
+    bool colors = false;
+    TextureKey baseColor = {}, metallicRoughness = {}, normal = {}, occlusion = {}, emissive = {};
+    AlphaMode alphaMode = AlphaMode::opaque;
+    bool doubleSided = false;
+    bool unlit = false;
+    bool compensates = false;
+
+    auto operator<=>(const ShaderKey&) const = default;
+    bool usesUv(int set) const;
+    bool tangents() const { return normal.used; } // a normal map stands on tangents
+    /// A short name, different for different keys: "triangles baseColor0 normal0 mask".
+    std::string name() const;
+};
+
+} // namespace torrance

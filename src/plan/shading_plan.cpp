@@ -1,0 +1,268 @@
+#include "plan/shading_plan.h"
+
+#include "plan/compensation.h"
+#include "plan/light_plan.h"
+
+#include <algorithm>
+#include <limits>
+#include <map>
+#include <tuple>
+
+namespace torrance {
+namespace {
+
+struct Box
+{
+    dvec3 least = dvec3(std::numeric_limits<double>::infinity());
+    dvec3 greatest = dvec3(-std::numeric_limits<double>::infinity());
+
+    void include(const dvec3& p)
+    {
+        least = glm::min(least, p);
+        greatest = glm::max(greatest, p);
+    }
+};
+
+Box boxOf(const dmat4& m, const dvec3& least, const dvec3& greatest)
+{
+    Box bounds;
+    for (int corner = 0; corner < 8; ++corner)
+        bounds.include(dvec3(m * dvec4(corner & 1 ? greatest.x : least.x, corner & 2 ? greatest.y : least.y,
+                                       corner & 4 ? greatest.z : least.z, 1.0)));
+    return bounds;
+}
+
+SurfaceKind surfaceOf(Topology topology)
+{
+    switch (topology) {
+    case Topology::points:
+        return SurfaceKind::points;
+    case Topology::lines:
+        return SurfaceKind::lines;
+    case Topology::triangles:
+        break;
+    }
+    return SurfaceKind::triangles;
+}
+
+class Planner
+{
+public:
+    Planner(const Scene& s, const Settings& settings) : scene(s) { plan.settings = settings; }
+
+    ShadingPlan run()
+    {
+        planMaterials();
+        planSurfaces();
+        planLighting();
+        return std::move(plan);
+    }
+
+private:
+    void planMaterials();
+    void planSurfaces();
+    void planLighting();
+    void addPrimitives();
+    void addShapes();
+    void add(const ShaderKey& key, const TextureSet& textures, const Draw& draw);
+
+    std::size_t materialIndex(int material) const
+    {
+        return material < 0 ? scene.materials.size() : static_cast<std::size_t>(material);
+    }
+    ShaderKey keyOf(const PlannedMaterial& planned, const Primitive& primitive);
+    TextureKey textureKey(const TextureUse& use, const Primitive& primitive, const char* what);
+
+    const Scene& scene;
+    ShadingPlan plan;
+    Box bounds;
+    std::map<std::pair<ShaderKey, TextureSet>, Batch> batches; // ordered: the same scene gives the same batches
+};
+
+void Planner::planMaterials()
+{
+    std::vector<TexelFacts> facts;
+    for (const TextureImage& image : scene.images)
+        facts.push_back(texelFacts(image));
+    std::vector<Material> materials = scene.materials;
+    materials.emplace_back().name = "default";
+    const bool mayCompensate = plan.settings.methods.multipleScattering->id != "none";
+    for (std::size_t i = 0; i < materials.size(); ++i) {
+        const std::string subject =
+            "material " + (materials[i].name.empty() ? std::to_string(i) : "'" + materials[i].name + "'");
+        PlannedMaterial planned = planMaterial(scene, materials[i], facts, subject, plan.remarks);
+        if (mayCompensate && !planned.material.unlit) {
+            planned.compensates = compensationGain(planned.range) > kCompensationThreshold;
+            plan.remarks.push_back(
+                planned.compensates
+                    ? Remark{subject, "multiple scattering compensated", "its lobe loses more than 0.1 % of its light"}
+                    : Remark{subject, "no multiple scattering", "it would change less than 0.1 % of its light"});
+        }
+        plan.materials.push_back(std::move(planned));
+    }
+}
+
+TextureKey Planner::textureKey(const TextureUse& use, const Primitive& primitive, const char* what)
+{
+    if (!use.used())
+        return {};
+    if (primitive.uvs[static_cast<std::size_t>(use.uvSet)].empty()) {
+        plan.remarks.push_back({"primitive '" + primitive.name + "'", std::string("no ") + what + " texture",
+                                "the primitive has no texture coordinates " + std::to_string(use.uvSet)});
+        return {};
+    }
+    return {.used = true, .uvSet = use.uvSet, .transformed = use.transform != glm::dmat3x2(1, 0, 0, 1, 0, 0)};
+}
+
+ShaderKey Planner::keyOf(const PlannedMaterial& planned, const Primitive& primitive)
+{
+    const Material& m = planned.material;
+    ShaderKey key = {.surface = surfaceOf(primitive.topology),
+                     .normals = !primitive.normals.empty(),
+                     .colors = !primitive.colors.empty()};
+    key.baseColor = textureKey(m.baseColor, primitive, "base colour");
+    key.alphaMode = m.alphaMode;
+    key.doubleSided = m.doubleSided && key.surface == SurfaceKind::triangles;
+    key.unlit = m.unlit;
+    key.emissive = textureKey(m.emissive, primitive, "emissive");
+    if (key.unlit || !key.normals)
+        return key;
+    key.metallicRoughness = textureKey(m.metallicRoughness, primitive, "metallic-roughness");
+    if (key.surface == SurfaceKind::triangles)
+        key.normal = textureKey(m.normal, primitive, "normal");
+    key.occlusion = textureKey(m.occlusion, primitive, "occlusion");
+    key.compensates = planned.compensates;
+    return key;
+}
+
+void Planner::add(const ShaderKey& key, const TextureSet& textures, const Draw& draw)
+{
+    if (key.alphaMode == AlphaMode::blend) {
+        for (int i = 0; i < draw.instanceCount; ++i) {
+            Draw one = draw;
+            one.firstInstance += i;
+            one.instanceCount = 1;
+            plan.blended.push_back({key, textures, {one}});
+        }
+        return;
+    }
+    Batch& batch = batches.try_emplace({key, textures}, Batch{key, textures, {}}).first->second;
+    batch.draws.push_back(draw);
+}
+
+TextureSet textureSet(const Material& m, const ShaderKey& key)
+{
+    const auto pick = [](const TextureKey& k, const TextureUse& use) { return k.used ? use.texture : -1; };
+    return {pick(key.baseColor, m.baseColor), pick(key.metallicRoughness, m.metallicRoughness),
+            pick(key.normal, m.normal), pick(key.occlusion, m.occlusion), pick(key.emissive, m.emissive)};
+}
+
+void Planner::addPrimitives()
+{
+    struct Placed
+    {
+        const Instance* instance;
+        bool mirrored;
+    };
+    std::vector<Placed> placed;
+    for (const Instance& instance : scene.instances)
+        if (!scene.primitives[static_cast<std::size_t>(instance.primitive)].indices.empty())
+            placed.push_back({&instance, glm::determinant(dmat3(instance.worldFromObject)) < 0.0});
+    std::ranges::stable_sort(placed, {}, [](const Placed& p) { return std::tuple(p.instance->primitive, p.mirrored); });
+    for (std::size_t first = 0; first < placed.size();) {
+        const int primitiveIndex = placed[first].instance->primitive;
+        const Primitive& primitive = scene.primitives[static_cast<std::size_t>(primitiveIndex)];
+        const std::size_t material = materialIndex(primitive.material);
+        Draw draw = {.primitive = primitiveIndex,
+                     .firstInstance = static_cast<int>(plan.instances.size()),
+                     .instanceCount = 0,
+                     .mirrored = placed[first].mirrored};
+        for (; first < placed.size() && placed[first].instance->primitive == primitiveIndex &&
+               placed[first].mirrored == draw.mirrored;
+             ++first)
+        {
+            const Instance& instance = *placed[first].instance;
+            const Box box = boxOf(instance.worldFromObject, primitive.boundsMin, primitive.boundsMax);
+            bounds.include(box.least);
+            bounds.include(box.greatest);
+            plan.instances.push_back({static_cast<int>(material), instance.object, instance.worldFromObject,
+                                      0.5 * (box.least + box.greatest)});
+            ++draw.instanceCount;
+        }
+        const ShaderKey key = keyOf(plan.materials[material], primitive);
+        add(key, textureSet(plan.materials[material].material, key), draw);
+    }
+}
+
+void Planner::addShapes()
+{
+    for (std::size_t i = 0; i < scene.shapes.size(); ++i) {
+        const AnalyticShape& shape = scene.shapes[i];
+        const std::size_t material = materialIndex(shape.material);
+        const Material& m = plan.materials[material].material;
+        const Box box = boxOf(shape.worldFromObject, dvec3(-1.0), dvec3(1.0));
+        bounds.include(box.least);
+        bounds.include(box.greatest);
+        const ShaderKey key = {.surface =
+                                   shape.kind == AnalyticShape::Kind::sphere ? SurfaceKind::sphere : SurfaceKind::plane,
+                               .alphaMode = m.alphaMode,
+                               .doubleSided = m.doubleSided,
+                               .unlit = m.unlit,
+                               .compensates = plan.materials[material].compensates && !m.unlit};
+        for (const TextureUse* use : {&m.baseColor, &m.metallicRoughness, &m.normal, &m.occlusion, &m.emissive})
+            if (use->used())
+                plan.remarks.push_back(
+                    {"shape '" + shape.name + "'", "no textures", "analytic shapes have no texture coordinates"});
+        plan.instances.push_back(
+            {static_cast<int>(material), static_cast<int>(i), shape.worldFromObject, dvec3(shape.worldFromObject[3])});
+        add(key, {-1, -1, -1, -1, -1},
+            {.primitive = -1,
+             .shape = static_cast<int>(i),
+             .firstInstance = static_cast<int>(plan.instances.size()) - 1});
+    }
+}
+
+void Planner::planSurfaces()
+{
+    addPrimitives();
+    addShapes();
+    for (auto& [key, batch] : batches)
+        plan.batches.push_back(std::move(batch));
+}
+
+void Planner::planLighting()
+{
+    bool lit = false, compensates = false;
+    for (const auto* list : {&plan.batches, &plan.blended})
+        for (const Batch& batch : *list) {
+            lit |= !batch.key.unlit && batch.key.normals;
+            compensates |= batch.key.compensates;
+        }
+    LightPlan lights = planLights(scene, bounds.least, bounds.greatest, plan.remarks);
+    if (!lit && !lights.lights.empty()) {
+        plan.remarks.push_back({"lights", "left out", "no surface is lit"});
+        lights = {};
+    }
+    plan.lights = std::move(lights.lights);
+    plan.lightCounts = lights.counts;
+
+    const bool hasEnvironment = scene.environment && scene.environment->intensity > 0.0;
+    plan.environmentLight = hasEnvironment && lit;
+    plan.panorama = hasEnvironment && plan.settings.background == BackgroundKind::environment;
+    plan.dfgTable = plan.environmentLight || (compensates && !plan.lights.empty());
+    if (hasEnvironment && !lit)
+        plan.remarks.push_back({"environment", "not prefiltered", "no surface is lit"});
+    if (hasEnvironment && !plan.panorama)
+        plan.remarks.push_back({"environment", "not drawn", "another background was asked for"});
+    if (!plan.dfgTable)
+        plan.remarks.push_back({"directional albedo table", "left out", "no shader reads it"});
+}
+
+} // namespace
+
+ShadingPlan makePlan(const Scene& scene, const Settings& settings)
+{
+    return Planner(scene, settings).run();
+}
+
+} // namespace torrance

@@ -1,0 +1,70 @@
+// What will be computed for a scene, as plain data with a reason for every choice. A pure function of scene (texels
+// included) and settings: it can be printed and tested without a device.
+#pragma once
+
+#include "plan/material_plan.h"
+#include "plan/remark.h"
+#include "plan/settings.h"
+#include "plan/shader_key.h"
+#include "scene/scene.h"
+
+#include <array>
+#include <string>
+#include <vector>
+
+namespace torrance {
+
+/// Neighbouring instances of one primitive, or one analytic shape.
+struct Draw
+{
+    int primitive = -1;    // Scene::primitives, or
+    int shape = -1;        // Scene::shapes
+    int firstInstance = 0; // ShadingPlan::instances
+    int instanceCount = 1;
+    bool mirrored = false; // the transforms turn the winding round
+};
+
+/// Scene::textures of base colour, metallic-roughness, normal, occlusion, emissive; -1 = none.
+using TextureSet = std::array<int, 5>;
+
+/// Draws of one shader and one set of textures.
+struct Batch
+{
+    ShaderKey key;
+    TextureSet textures = {-1, -1, -1, -1, -1};
+    std::vector<Draw> draws;
+};
+
+/// An instance in the order in which the device sees it.
+struct PlannedInstance
+{
+    int material = 0; // ShadingPlan::materials
+    int object = 0;   // for object-id pictures
+    dmat4 worldFromObject = dmat4(1.0);
+    dvec3 center = dvec3(0.0); // of the bounds, world: blended surfaces are sorted by it
+};
+
+struct ShadingPlan
+{
+    Settings settings;
+    std::vector<PlannedMaterial> materials; // Scene::materials, and glTF's default material last
+    std::vector<PlannedInstance> instances;
+    std::vector<Batch> batches; // opaque and masked
+    std::vector<Batch> blended; // one draw of one instance each
+    std::vector<Light> lights;  // directional, then point, then spot
+    std::array<int, 3> lightCounts = {0, 0, 0};
+    bool environmentLight = false; // some surface is lit by the environment
+    bool panorama = false;         // the environment is seen behind the scene
+    bool dfgTable = false;         // some shader reads directional albedos
+    Remarks remarks;
+};
+
+ShadingPlan makePlan(const Scene& scene, const Settings& settings);
+
+/// The text of selected.glsl for one key: methods and defines.
+std::string selectedText(const ShadingPlan& plan, const ShaderKey& key);
+
+/// The plan for people: methods, what stands, what was left out and why, the pipelines it takes.
+std::string explain(const ShadingPlan& plan);
+
+} // namespace torrance
