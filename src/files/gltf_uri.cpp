@@ -75,7 +75,7 @@ std::string schemeOf(std::string_view uri)
 
 bool leavesFolder(const std::string& path)
 {
-    if (path.starts_with('/') || path.starts_with('~'))
+    if (path.starts_with('/'))
         return true;
     for (std::size_t start = 0; start <= path.size();) {
         const std::size_t end = std::min(path.find('/', start), path.size());
