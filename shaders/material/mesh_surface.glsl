@@ -2,7 +2,6 @@
 #include "material/bend_normal.glsl"
 #include "material/normal_map.glsl"
 #include "material/surface.glsl"
-#include "material/uv.glsl"
 
 layout(location = 0) in vec3 inPosition;
 layout(location = 6) flat in uvec2 inIds;
@@ -20,6 +19,21 @@ layout(location = 4) in vec2 inUv1;
 #endif
 #ifdef COLORS
 layout(location = 5) in vec4 inColor;
+#endif
+#ifdef BASE_COLOR_UV_SOURCE
+layout(location = 7) in vec2 inBaseColorUv;
+#endif
+#ifdef METALLIC_ROUGHNESS_UV_SOURCE
+layout(location = 8) in vec2 inMetallicRoughnessUv;
+#endif
+#ifdef NORMAL_UV_SOURCE
+layout(location = 9) in vec2 inNormalUv;
+#endif
+#ifdef OCCLUSION_UV_SOURCE
+layout(location = 10) in vec2 inOcclusionUv;
+#endif
+#ifdef EMISSIVE_UV_SOURCE
+layout(location = 11) in vec2 inEmissiveUv;
 #endif
 
 #ifdef BASE_COLOR_UV

@@ -11,15 +11,16 @@ void define(std::string& text, const char* name, bool set)
         text.append("#define ").append(name).append("\n");
 }
 
-// A texture's coordinates as one expression of the fragment's inputs: #define NORMAL_UV transformUv(material.normalUv,
-// inUv0)
-void defineUv(std::string& text, const TextureKey& key, const char* macro, const char* member)
+// A texture's coordinates as one expression of the fragment's inputs: `#define NORMAL_UV inUv0`, or, transformed,
+// `#define NORMAL_UV inNormalUv` with `#define NORMAL_UV_SOURCE inUv0` for the vertex shader that makes them.
+void defineUv(std::string& text, const TextureKey& key, const std::string& macro, const std::string& transformed)
 {
     if (!key.used)
         return;
     const std::string uv = "inUv" + std::to_string(key.uvSet);
-    text.append("#define ").append(macro).append(" ");
-    text.append(key.transformed ? std::string("transformUv(material.") + member + ", " + uv + ")" : uv).append("\n");
+    text += "#define " + macro + " " + (key.transformed ? transformed : uv) + "\n";
+    if (key.transformed)
+        text += "#define " + macro + "_SOURCE " + uv + "\n";
 }
 
 const char* surfaceMacro(SurfaceKind kind)
@@ -65,11 +66,11 @@ std::string selectedText(const ShadingPlan& plan, const ShaderKey& key)
     define(text, "ENVIRONMENT_LIGHT", lit && plan.environmentLight);
     define(text, "DFG_TABLE", lit && (plan.environmentLight || (key.compensates && !plan.lights.empty())));
     define(text, "COMPENSATES", key.compensates);
-    defineUv(text, key.baseColor, "BASE_COLOR_UV", "baseColorUv");
-    defineUv(text, key.metallicRoughness, "METALLIC_ROUGHNESS_UV", "metallicRoughnessUv");
-    defineUv(text, key.normal, "NORMAL_UV", "normalUv");
-    defineUv(text, key.occlusion, "OCCLUSION_UV", "occlusionUv");
-    defineUv(text, key.emissive, "EMISSIVE_UV", "emissiveUv");
+    defineUv(text, key.baseColor, "BASE_COLOR_UV", "inBaseColorUv");
+    defineUv(text, key.metallicRoughness, "METALLIC_ROUGHNESS_UV", "inMetallicRoughnessUv");
+    defineUv(text, key.normal, "NORMAL_UV", "inNormalUv");
+    defineUv(text, key.occlusion, "OCCLUSION_UV", "inOcclusionUv");
+    defineUv(text, key.emissive, "EMISSIVE_UV", "inEmissiveUv");
     if (lit) {
         brdf::Preset methods = plan.settings.methods;
         if (!key.compensates)
