@@ -1,6 +1,6 @@
 #include "brdf/brdf.h"
 
-#include "brdf/albedo.h"
+#include "brdf/dfg.h"
 #include "core/error.h"
 
 namespace torrance::brdf {
@@ -14,19 +14,6 @@ double scalar(const Method& method, const ShadingPoint& point)
 dvec3 color(const Method& method, const ShadingPoint& point)
 {
     return std::get<ColorFormula>(method.formula)(point);
-}
-
-// The albedo of the last view direction and roughness is kept: whoever integrates over l asks for the same one each
-// time, and it takes ten thousand times as long as the rest.
-double directionalAlbedo(double NoV, double perceptualRoughness)
-{
-    thread_local double lastNoV = -1, lastRoughness = -1, E = 1;
-    if (NoV != lastNoV || perceptualRoughness != lastRoughness) {
-        E = ggxAlbedo(NoV, perceptualRoughness).albedo();
-        lastNoV = NoV;
-        lastRoughness = perceptualRoughness;
-    }
-    return E;
 }
 
 } // namespace
@@ -48,7 +35,7 @@ dvec3 evaluateBrdf(const Preset& preset, const ShadingPoint& point)
     ShadingPoint lobe = point;
     lobe.f90 = dvec3(1);
     if (preset.multipleScattering->id != "none")
-        lobe.E = directionalAlbedo(point.NoV, point.perceptualRoughness);
+        lobe.E = lobeAlbedo(point.NoV, point.perceptualRoughness);
     const double specular = scalar(*preset.distribution, lobe) * scalar(*preset.visibility, lobe);
 
     // Appendix B: metal_brdf = specular * F(base colour)

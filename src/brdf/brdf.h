@@ -10,7 +10,7 @@ inline constexpr double kDielectricF0 = 0.04;
 inline constexpr double kDielectricIor = 1.5;
 
 /// BRDF in 1/sr per colour channel, without the cosine NoL; 0 where v or l is not above the surface. Reads baseColor,
-/// metallic and what the methods need of the geometry; f0, f90, ior, eta, k and E are set here (E to ggxAlbedo(NoV,
+/// metallic and what the methods need of the geometry; f0, f90, ior, eta, k and E are set here (E to lobeAlbedo(NoV,
 /// r)). The Fresnel term must be one of f0 (`schlick`): a metal's base colour is a reflectance and gives no index.
 /// Otherwise an Error (usage) says so.
 dvec3 evaluateBrdf(const Preset& preset, const ShadingPoint& point);

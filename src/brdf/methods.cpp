@@ -1,5 +1,6 @@
 #include "brdf/method.h"
 
+#include "brdf/dfg.h"
 #include "brdf/diffuse.h"
 #include "brdf/distribution.h"
 #include "brdf/fresnel.h"
@@ -169,7 +170,7 @@ constexpr Method kMethods[] = {
      .id = "scale",
      .citation = "Turquin 2019, eq. 16",
      .approximates = "a random walk between microfacets",
-     .domain = "E of the lobe's own D and V",
+     .domain = "D ggx with V smith_corr, whose E it is",
      .reciprocal = false, // E is taken at NoV alone
      .formula = ColorFormula(&M_scale)},
 
@@ -198,9 +199,9 @@ constexpr Method kMethods[] = {
      .id = "table",
      .citation = "Karis 2013, eq. 8",
      .approximates = "the integrals of albedo.h, between the table's nodes",
-     .domain = "alpha >= 1e-4, NoV > 0",
+     .domain = "NoV >= 1e-3; D ggx with V smith_corr",
      .reciprocal = false,
-     .formula = NoFormula{}},
+     .formula = DfgFormula(&DFG_table)},
 
     {.slot = Slot::tone,
      .id = "khronos_neutral",
