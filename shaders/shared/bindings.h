@@ -20,6 +20,7 @@ SHARED_UINT(kBindEnvironmentDiffuse, 10);
 SHARED_UINT(kBindDfg, 11);
 SHARED_UINT(kBindPanorama, 12);
 SHARED_UINT(kBindSource, 13); // the picture that an image pass reads
+SHARED_UINT(kBindProbeRows, 14);
 
 SHARED_END
 

@@ -4,13 +4,14 @@
 #include "app/command_devices.h"
 #include "app/command_inspect.h"
 #include "app/command_methods.h"
+#include "app/command_probe.h"
 #include "app/command_render.h"
 
 namespace torrance {
 
 std::vector<Command> allCommands()
 {
-    return {renderCommand(), inspectCommand(), compareCommand(), methodsCommand(), devicesCommand()};
+    return {renderCommand(), inspectCommand(), compareCommand(), methodsCommand(), probeCommand(), devicesCommand()};
 }
 
 } // namespace torrance

@@ -16,7 +16,7 @@ vec3 F_exact_conductor(float VoH, vec3 f0, vec3 f90, float ior, vec3 eta, vec3 k
         float real = squaresLessOne(n, c) - k2;
         float modulus = sqrt(real * real + 4.0 * nk * nk);
         float greater = sqrt(0.5 * (modulus + abs(real)));
-        float lesser = nk / (greater + kLeastDenominator);
+        float lesser = min(nk / (greater + kLeastDenominator), greater); // the least: what underflow left of both
         float a = real >= 0.0 ? greater : lesser;
         float b2 = real >= 0.0 ? lesser * lesser : greater * greater;
         float aLessC = (b2 + ((n - 1.0) * (n + 1.0) - k2)) / (a + c + kLeastDenominator);

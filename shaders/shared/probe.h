@@ -1,0 +1,36 @@
+// A shading point as the device is given it, for looking at one formula without drawing (torrance probe).
+#ifndef TORRANCE_SHARED_PROBE_H
+#define TORRANCE_SHARED_PROBE_H
+
+#include "shared/language.h"
+
+SHARED_BEGIN
+
+SHARED_UINT(kProbeWidth, 1024); // pixels, and so rows of the table, in a line of the target
+
+struct ProbeRow
+{
+    vec3 n;
+    vec3 v;
+    vec3 l;
+    float NoV;
+    float NoL;
+    float VoL;
+    float NoH;
+    float VoH;
+    float sin2H;
+    float perceptualRoughness;
+    float alpha;
+    vec3 f0;
+    vec3 f90;
+    float ior;
+    vec3 eta;
+    vec3 k;
+    vec3 baseColor;
+    float metallic;
+    float E;
+};
+
+SHARED_END
+
+#endif

@@ -1,0 +1,105 @@
+#include "app/probe_rows.h"
+
+#include "core/error.h"
+#include "files/csv_read.h"
+
+#include <fmt/format.h>
+
+namespace torrance {
+namespace {
+
+constexpr double kGreatest = 1e6; // of colours and indices: their squares stay far from the end of float
+
+class Rows
+{
+public:
+    Rows(std::string_view csv, const std::string& f) : file(f), table(parseCsv(csv, f)) {}
+
+    std::size_t count() const { return table.rows.size(); }
+    const std::string& text(std::size_t row, std::string_view name) const
+    {
+        return table.rows[row][table.column(name, file)];
+    }
+
+    double number(std::size_t row, const std::string& name, double greatest) const
+    {
+        const double value = csvNumber(table, row, table.column(name, file), file);
+        if (value < 0 || value > greatest)
+            throw inputError(file, place(row, name), fmt::format("{} is outside [0, {}]", value, greatest),
+                             "write a value within it");
+        return value;
+    }
+
+    dvec3 vector(std::size_t row, const std::string& name) const
+    {
+        dvec3 v;
+        for (int i = 0; i < 3; ++i)
+            v[i] = csvNumber(table, row, table.column(name + "xyz"[i], file), file);
+        if (v == dvec3(0))
+            throw inputError(file, place(row, name + "x " + name + "y " + name + "z"), "is a vector of zero length",
+                             "give a direction");
+        return v;
+    }
+
+    void require(std::string_view name) const { table.column(name, file); }
+
+private:
+    std::string place(std::size_t row, const std::string& name) const
+    {
+        return fmt::format("line {}, column {}", table.lines[row], name);
+    }
+
+    const std::string& file;
+    CsvTable table;
+};
+
+brdf::ShadingPoint pointOf(const Rows& rows, std::size_t row, const ProbeColumns& columns)
+{
+    brdf::ShadingPoint point = brdf::makeShadingPoint(rows.vector(row, "n"), rows.vector(row, "v"),
+                                                      rows.vector(row, "l"), rows.number(row, "roughness", 1));
+    if (columns.baseColor)
+        point.baseColor = {rows.number(row, "base_r", kGreatest), rows.number(row, "base_g", kGreatest),
+                           rows.number(row, "base_b", kGreatest)};
+    if (columns.metallic)
+        point.metallic = rows.number(row, "metallic", 1);
+    if (columns.ior)
+        point.ior = rows.number(row, "ior", kGreatest);
+    if (columns.conductor) {
+        point.eta = dvec3(rows.number(row, "eta", kGreatest));
+        point.k = dvec3(rows.number(row, "k", kGreatest));
+    }
+    return point;
+}
+
+// Of a table without rows too.
+void requireColumns(const Rows& rows, const ProbeColumns& columns)
+{
+    for (const char* name : {"id", "nx", "ny", "nz", "vx", "vy", "vz", "lx", "ly", "lz", "roughness"})
+        rows.require(name);
+    if (columns.baseColor)
+        for (const char* name : {"base_r", "base_g", "base_b"})
+            rows.require(name);
+    if (columns.metallic)
+        rows.require("metallic");
+    if (columns.ior)
+        rows.require("ior");
+    if (columns.conductor)
+        for (const char* name : {"eta", "k"})
+            rows.require(name);
+}
+
+} // namespace
+
+ProbeRows parseProbeRows(std::string_view csv, const std::string& file, const ProbeColumns& columns)
+{
+    const Rows rows(csv, file);
+    requireColumns(rows, columns);
+    ProbeRows result;
+    for (std::size_t row = 0; row < rows.count(); ++row) {
+        result.ids.push_back(rows.text(row, "id"));
+        result.points.push_back(pointOf(rows, row, columns));
+    }
+    return result;
+}
+
+} // namespace torrance

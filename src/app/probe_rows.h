@@ -1,0 +1,33 @@
+// The table that `torrance probe` reads: one shading point per row.
+#pragma once
+
+#include "brdf/shading_point.h"
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace torrance {
+
+struct ProbeRows
+{
+    std::vector<std::string> ids;
+    std::vector<brdf::ShadingPoint> points;
+};
+
+/// What a term reads beside n, v, l and roughness: columns that must then be there.
+struct ProbeColumns
+{
+    bool baseColor = false; // base_r, base_g, base_b
+    bool metallic = false;
+    bool ior = false;
+    bool conductor = false; // eta, k
+};
+
+/// Columns id, nx ny nz, vx vy vz, lx ly lz (any length but zero), roughness, and those of `columns`; others are
+/// ignored. f0 = 0.04 and f90 = 1. Errors (input) name `file`, the line and the column: missing columns, what is no
+/// finite number, vectors of zero length, roughness, metallic outside [0, 1], base colour, ior, eta, k outside [0,
+/// 1e6].
+ProbeRows parseProbeRows(std::string_view csv, const std::string& file, const ProbeColumns& columns);
+
+} // namespace torrance

@@ -1,0 +1,126 @@
+#include "passes/probe_pass.h"
+
+#include "core/data_folder.h"
+#include "gpu/commands.h"
+#include "gpu/guard.h"
+#include "gpu/pipeline.h"
+#include "passes/sampler.h"
+#include "passes/targets.h"
+#include "prepare/dfg_table.h"
+#include "shaders/shared/bindings.h"
+#include "shaders/shared/probe.h"
+
+#include <algorithm>
+#include <optional>
+
+namespace torrance {
+namespace {
+
+static_assert(sizeof(shared::ProbeRow) == 35 * sizeof(float), "scalar layout has no padding");
+
+// Rows of one draw: 37 MB of table and 4 MB of target.
+constexpr std::size_t kMostRows = 256 * shared::kProbeWidth;
+
+shared::ProbeRow rounded(const brdf::ShadingPoint& point)
+{
+    const auto f = [](double x) { return static_cast<float>(x); };
+    return {.n = vec3(point.n),
+            .v = vec3(point.v),
+            .l = vec3(point.l),
+            .NoV = f(point.NoV),
+            .NoL = f(point.NoL),
+            .VoL = f(point.VoL),
+            .NoH = f(point.NoH),
+            .VoH = f(point.VoH),
+            .sin2H = f(point.sin2H),
+            .perceptualRoughness = f(point.perceptualRoughness),
+            .alpha = f(point.alpha),
+            .f0 = vec3(point.f0),
+            .f90 = vec3(point.f90),
+            .ior = f(point.ior),
+            .eta = vec3(point.eta),
+            .k = vec3(point.k),
+            .baseColor = vec3(point.baseColor),
+            .metallic = f(point.metallic),
+            .E = f(point.E)};
+}
+
+// The table of directional albedos as the renderer binds it.
+struct AlbedoTable
+{
+    gpu::DeviceImage image;
+    vk::raii::Sampler sampler = nullptr;
+};
+
+AlbedoTable uploadAlbedoTable(const gpu::Device& device)
+{
+    const DfgTable table = readDfgTable(dataFolder() / "dfg_ggx_smith_corr.bin");
+    using Usage = vk::ImageUsageFlagBits;
+    AlbedoTable uploaded = {.image = gpu::makeImage(device,
+                                                    {.width = static_cast<std::uint32_t>(table.width),
+                                                     .height = static_cast<std::uint32_t>(table.height),
+                                                     .format = vk::Format::eR32G32B32A32Sfloat},
+                                                    Usage::eSampled | Usage::eTransferDst, "directional albedos"),
+                            .sampler = makeTableSampler(device)};
+    const gpu::Buffer staging = gpu::makeBuffer(device, std::as_bytes(std::span(table.texels)),
+                                                vk::BufferUsageFlagBits::eTransferSrc, "directional albedos");
+    gpu::Commands commands(device);
+    gpu::copyToImage(commands, staging, uploaded.image, 4 * sizeof(float));
+    commands.submitAndWait();
+    return uploaded;
+}
+
+Image draw(const gpu::Device& device, const gpu::Pipeline& pipeline, const std::optional<AlbedoTable>& albedos,
+           std::span<const brdf::ShadingPoint> points)
+{
+    std::vector<shared::ProbeRow> rows(points.size());
+    std::ranges::transform(points, rows.begin(), rounded);
+    const gpu::Buffer table =
+        gpu::makeBuffer(device, std::as_bytes(std::span(rows)), vk::BufferUsageFlagBits::eStorageBuffer, "probe rows");
+    const int height = static_cast<int>((points.size() + shared::kProbeWidth - 1) / shared::kProbeWidth);
+    const gpu::DeviceImage target =
+        makeColorTarget(device, static_cast<int>(shared::kProbeWidth), height, "probe values");
+
+    gpu::Commands commands(device);
+    commands.use({}, {gpu::use(table, gpu::Access::shaderRead)});
+    if (albedos)
+        commands.use({gpu::use(albedos->image, gpu::Access::sampled)});
+    const gpu::DeviceImage* const targets[] = {&target};
+    beginRendering(commands, targets, nullptr, LoadTarget::clear, LoadTarget::clear);
+    gpu::Bindings bindings;
+    bindings.set(shared::kBindProbeRows, table);
+    if (albedos)
+        bindings.set(shared::kBindDfg, albedos->image, albedos->sampler);
+    commands.buffer.bindPipeline(vk::PipelineBindPoint::eGraphics, *pipeline.handle);
+    bindings.push(commands.buffer, pipeline);
+    commands.buffer.draw(3, 1, 0, 0);
+    commands.buffer.endRendering();
+    commands.submitAndWait();
+    return readBack(device, target);
+}
+
+} // namespace
+
+std::vector<vec3> probe(const gpu::Device& device, gpu::ShaderLibrary& shaders, const ProbeTerm& term,
+                        std::span<const brdf::ShadingPoint> points)
+{
+    return gpu::guarded(device, [&] {
+        const gpu::Pipeline pipeline = gpu::makePipeline(device, shaders.get("passes/fullscreen.vert", term.selected),
+                                                         shaders.get("passes/probe.frag", term.selected),
+                                                         {.name = "probe", .colorFormats = {kColorFormat}});
+        std::optional<AlbedoTable> albedos;
+        if (term.readsTable)
+            albedos = uploadAlbedoTable(device);
+        std::vector<vec3> values;
+        values.reserve(points.size());
+        for (std::size_t first = 0; first < points.size(); first += kMostRows) {
+            const auto part = points.subspan(first, std::min(kMostRows, points.size() - first));
+            const Image image = draw(device, pipeline, albedos, part);
+            for (std::size_t i = 0; i < part.size(); ++i)
+                values.emplace_back(image.texels[4 * i], image.texels[4 * i + 1], image.texels[4 * i + 2]);
+        }
+        return values;
+    });
+}
+
+} // namespace torrance

@@ -1,0 +1,96 @@
+#include "passes/probe_term.h"
+
+#include "brdf/brdf.h"
+#include "brdf/dfg.h"
+#include "brdf/selection.h"
+#include "core/error.h"
+
+#include <algorithm>
+
+namespace torrance {
+namespace {
+
+using brdf::Slot;
+
+// The arguments of a slot's functions, the same for all its methods.
+std::string argumentsOf(Slot slot)
+{
+    switch (slot) {
+    case Slot::distribution:
+        return "row.NoH, row.sin2H, row.alpha";
+    case Slot::visibility:
+        return "row.NoV, row.NoL, row.NoH, row.VoH, row.alpha, row.perceptualRoughness";
+    case Slot::fresnel:
+        return "row.VoH, row.f0, row.f90, row.ior, row.eta, row.k";
+    case Slot::diffuse:
+        return "row.NoV, row.NoL, row.VoL, row.VoH, row.perceptualRoughness, row.baseColor";
+    case Slot::multipleScattering:
+        return "row.f0, row.E";
+    default:
+        return {};
+    }
+}
+
+double seenCosine(const brdf::ShadingPoint& point)
+{
+    return std::clamp(point.NoV, 0.0, 1.0); // as shaders/material/shade.glsl has it
+}
+
+// A look-up as the renderer makes it; `members` of (scale, bias, w, E).
+std::string lookUp(const std::string& members)
+{
+    return "#define DFG_TABLE\n"
+           "#include \"environment/lighting.glsl\"\n"
+           "#define PROBE_VALUE vec3(directionalAlbedo(clamp(row.NoV, 0.0, 1.0), row.perceptualRoughness)." +
+           members + ")\n";
+}
+
+ProbeTerm makeTableTerm(brdf::DfgFormula formula)
+{
+    return {.formula = [formula](const brdf::ShadingPoint& p) { return formula(seenCosine(p), p.perceptualRoughness); },
+            .selected = lookUp("xyz"),
+            .readsTable = true};
+}
+
+dvec3 valueOf(const brdf::Method& method, const brdf::ShadingPoint& point)
+{
+    if (const auto* scalar = std::get_if<brdf::ScalarFormula>(&method.formula))
+        return dvec3((*scalar)(point));
+    return std::get<brdf::ColorFormula>(method.formula)(point);
+}
+
+} // namespace
+
+ProbeTerm makeProbeTerm(const brdf::Method& method)
+{
+    if (const auto* table = std::get_if<brdf::DfgFormula>(&method.formula))
+        return makeTableTerm(*table);
+    if (!brdf::hasShadingFunction(method.slot))
+        throw usageError("the slot " + std::string(brdf::slotName(method.slot)) + " has no function of a shading point",
+                         "compare pictures instead: torrance render, torrance compare");
+    return {.formula = [&method](const brdf::ShadingPoint& point) { return valueOf(method, point); },
+            .selected = "#include \"" + brdf::glslPath(method) + "\"\n#define PROBE_VALUE vec3(" +
+                        brdf::functionName(method) + "(" + argumentsOf(method.slot) + "))\n",
+            .readsAlbedo = method.slot == Slot::multipleScattering};
+}
+
+ProbeTerm makeBrdfTerm(const brdf::Preset& preset)
+{
+    return {.formula = [preset](const brdf::ShadingPoint& point) { return brdf::evaluateBrdf(preset, point); },
+            .selected = brdf::selectedGlsl(preset) +
+                        "#include \"material/brdf.glsl\"\n"
+                        "#define PROBE_VALUE brdf(row.n, row.v, row.l, row.baseColor, row.metallic, "
+                        "row.perceptualRoughness, row.alpha, row.E)\n",
+            .readsAlbedo = preset.multipleScattering->id != "none"};
+}
+
+ProbeTerm makeAlbedoTerm()
+{
+    return {
+        .formula =
+            [](const brdf::ShadingPoint& p) { return dvec3(brdf::lobeAlbedo(seenCosine(p), p.perceptualRoughness)); },
+        .selected = lookUp("w"),
+        .readsTable = true};
+}
+
+} // namespace torrance
