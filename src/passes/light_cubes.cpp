@@ -7,7 +7,7 @@ namespace torrance {
 namespace {
 
 // Changes whenever makeEnvironmentMaps would give other numbers for the same panorama.
-constexpr int kMapsVersion = 1;
+constexpr int kMapsVersion = 2;
 
 void append(std::vector<float>& out, const CubeLevels& cube)
 {

@@ -1,22 +1,46 @@
 #include "prepare/environment_maps.h"
 
-#include "math/latlong.h"
+#include "prepare/ggx_prefilter.h"
+#include "prepare/irradiance.h"
+#include "prepare/radiance_cube.h"
+
+#include <algorithm>
+#include <bit>
+#include <cassert>
+#include <cmath>
+#include <utility>
 
 namespace torrance {
 
-EnvironmentMaps makeEnvironmentMaps(const Image& radiance)
+double levelAlpha(int level, int levels)
 {
-    dvec3 mean(0.0);
-    for (int y = 0; y < radiance.height; ++y)
-        for (int x = 0; x < radiance.width; ++x)
-            for (int c = 0; c < 3; ++c)
-                mean[c] +=
-                    radiance.at(x, y)[c] * latLongTexelSolidAngle(y, radiance.width, radiance.height) / (4.0 * kPi);
-    std::vector<float> texels;
-    for (int i = 0; i < 6; ++i)
-        texels.insert(texels.end(), {float(mean.x), float(mean.y), float(mean.z), 1.0f});
-    const CubeLevels cube = {.size = 1, .levels = 1, .data = {texels}};
-    return {.specular = cube, .irradiance = cube};
+    return (std::pow(101.0, static_cast<double>(level) / (levels - 1)) - 1.0) / 100.0;
+}
+
+int cubeSizeFor(int panoramaWidth)
+{
+    const auto quarter = static_cast<unsigned>((std::min(panoramaWidth, 4 * kGreatestCubeSize) + 3) / 4);
+    return std::max(static_cast<int>(std::bit_ceil(quarter)), kLeastCubeSize);
+}
+
+EnvironmentMaps makeEnvironmentMaps(const Image& panorama)
+{
+    assert(panorama.channels == 3 && panorama.width >= 2 && panorama.height >= 1);
+    assert(std::all_of(panorama.texels.begin(), panorama.texels.end(),
+                       [](float x) { return x >= 0.0f && std::isfinite(x); }));
+    RadianceCube cube = makeRadianceCube(panorama, cubeSizeFor(panorama.width));
+    const CubeTree base = buildCubeTree(cube.size, std::move(cube.base));
+    const CubeTree excess = buildCubeTree(cube.size, std::move(cube.excess));
+
+    EnvironmentMaps maps;
+    maps.specular.size = cube.size;
+    maps.specular.levels = std::countr_zero(static_cast<unsigned>(cube.size / kLastLevelSize)) + 1;
+    maps.specular.data.push_back(std::move(cube.radiance));
+    for (int level = 1; level < maps.specular.levels; ++level)
+        maps.specular.data.push_back(
+            prefilterLevel(base, excess, maps.specular.sizeOf(level), levelAlpha(level, maps.specular.levels)));
+    maps.irradiance = {kIrradianceSize, 1, {irradianceFaces(base, excess, kIrradianceSize)}};
+    return maps;
 }
 
 } // namespace torrance

@@ -1,28 +1,36 @@
-// Light from all around, made ready for the device.
+// What the device needs of an environment: a cube prefiltered by roughness, and one of its irradiance.
 #pragma once
 
 #include "image/image.h"
-#include "math/vector.h"
-
-#include <array>
-#include <vector>
+#include "prepare/cube_levels.h"
 
 namespace torrance {
 
-/// A cube and its smaller levels: per level six faces in Vulkan's order, row by row, RGBA.
-struct CubeLevels
-{
-    int size = 0;   // of a face of level 0
-    int levels = 0; // each half of the one before
-    std::vector<std::vector<float>> data;
-};
+inline constexpr int kLeastCubeSize = 16;
+inline constexpr int kGreatestCubeSize = 512;
+inline constexpr int kLastLevelSize = 8; // faces of the roughest level
+inline constexpr int kIrradianceSize = 32;
 
 struct EnvironmentMaps
 {
-    CubeLevels specular;   // level i prefiltered for alpha = (101^(i / (levels - 1)) - 1) / 100
-    CubeLevels irradiance; // one level: irradiance / pi
+    /// Level 0 is the radiance itself; level i the mean of the radiance around each direction under the split-sum
+    /// kernel D(alpha_i, h) NoL of N = V = R (Karis 2013), alpha_i = levelAlpha(i, levels). Alpha channel 1.
+    CubeLevels specular;
+    /// One level: irradiance / pi, the mean of the radiance weighted by the clamped cosine. Alpha channel 1.
+    CubeLevels irradiance;
 };
 
-EnvironmentMaps makeEnvironmentMaps(const Image& radiance);
+/// Roughness alpha of a level: (101^(level / last) - 1) / 100. The inverse is lod = last * log2(1 + 100 alpha) /
+/// log2(101): levels lie densest where reflections change fastest.
+double levelAlpha(int level, int levels);
+
+/// Faces of the radiance cube of a panorama of this width: the power of two at or above width / 4, within the limits
+/// above.
+int cubeSizeFor(int panoramaWidth);
+
+/// Both from a lat-long panorama (math/latlong.h) of 3 channels, at least 2 x 1, finite and not negative
+/// (asserted), of any dynamic range. A constant panorama stays constant to 1e-6; the energy of every level is the
+/// panorama's within 0.5 %. The result depends on the panorama alone.
+EnvironmentMaps makeEnvironmentMaps(const Image& panorama);
 
 } // namespace torrance

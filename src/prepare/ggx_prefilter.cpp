@@ -1,0 +1,67 @@
+#include "prepare/ggx_prefilter.h"
+
+#include "core/parallel.h"
+#include "prepare/sphere_kernel.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace torrance {
+namespace {
+
+/// Angle of the largest nodes for alpha = 1, whose kernel is cut off by the horizon while it is still large. Narrower
+/// lobes have little light out there, and larger nodes do.
+constexpr double kGreatestSide = 0.1;
+/// Lobes wider than this see suns on the horizon bright enough for the sun's shape to count.
+constexpr double kHorizonAlpha = 0.3;
+
+} // namespace
+
+double ggxKernelIntegral(double alpha)
+{
+    // 2 pi times the integral over x = cos(theta) in [0, 1] of x / (A - B x)^2, A = (1 + alpha^2) / 2, B = (1 -
+    // alpha^2) / 2.
+    const double a2 = alpha * alpha;
+    const double A = 0.5 * (1.0 + a2), B = 0.5 * (1.0 - a2);
+    if (B < 1e-4) // alpha near 1, where the closed form cancels: the first two terms of the series in B
+        return 2.0 * kPi * (0.5 / (A * A) + 2.0 * B / (3.0 * A * A * A));
+    return 2.0 * kPi * (std::log(a2 / A) + A / a2 - 1.0) / (B * B);
+}
+
+std::vector<float> prefilterLevel(const CubeTree& base, const CubeTree& excess, int size, double alpha)
+{
+    std::vector<float> texels(4 * cubeTexelIndex(kCubeFaces, 0, 0, size));
+    const auto integral = static_cast<float>(ggxKernelIntegral(alpha));
+    const auto a2 = static_cast<float>(alpha * alpha);
+    const Opening ofBaseNodes = {
+        .width = static_cast<float>(2.0 * alpha), // theta at which the lobe's denominator has doubled
+        .greatestSide = static_cast<float>(kGreatestSide / std::sqrt(alpha)),
+        .leavesAtHorizon = false,
+        .skipDark = false};
+    Opening ofExcessNodes = ofBaseNodes;
+    ofExcessNodes.leavesAtHorizon = alpha > kHorizonAlpha;
+    ofExcessNodes.skipDark = true;
+    const auto kernel = [a2](float q, float spread) {
+        const float d = a2 + (1.0f - a2) * q;
+        return clampedCosine(1.0f - 2.0f * q, spread) / (d * d);
+    };
+    const int blocks = size / kBlockSide;
+    parallelFor(static_cast<std::size_t>(kCubeFaces * blocks), 1, [&](std::size_t row) {
+        const int face = static_cast<int>(row) / blocks, y = static_cast<int>(row) % blocks * kBlockSide;
+        PointList points;
+        for (int x = 0; x < size; x += kBlockSide) {
+            const ReceiverBlock block(face, x, y, size);
+            KernelSums ofBase, ofExcess;
+            points.clear();
+            collectPoints(base, block.centre, block.radius, ofBaseNodes, points);
+            addPoints(block, points, kernel, ofBase);
+            points.clear();
+            collectPoints(excess, block.centre, block.radius, ofExcessNodes, points);
+            addPoints(block, points, kernel, ofExcess);
+            putMeans(ofBase, ofExcess, integral, face, x, y, size, texels.data());
+        }
+    });
+    return texels;
+}
+
+} // namespace torrance
