@@ -1,5 +1,6 @@
 // The surface under a fragment of a primitive: interpolated attributes, factors, textures.
 #include "material/bend_normal.glsl"
+#include "material/direction.glsl"
 #include "material/normal_map.glsl"
 #include "material/surface.glsl"
 
@@ -102,7 +103,7 @@ Surface readSurface()
 
     Surface s;
     s.position = inPosition;
-    s.view = normalize(frame.towardsEye - frame.eyeWeight * inPosition);
+    s.view = directionOf(frame.towardsEye - frame.eyeWeight * inPosition);
     s.geometricNormal = readGeometricNormal(s.view);
     s.normal = bendNormal(readNormal(material, s.geometricNormal), s.view);
     s.baseColor = color.rgb;

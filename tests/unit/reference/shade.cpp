@@ -42,7 +42,7 @@ TEST(Shade, FurnaceIsTheIntegralOfPunctualLight)
     const std::pair<const char*, double> cases[] = {{"gltf", 0.0}, {"gltf", 0.5}, {"gltf", 1.0}, {"standard", 0.5}};
     for (const auto& [id, metallic] : cases)
         for (const double roughness : {0.75, 1.0})
-            for (const double NoV : {0.2, 0.7, 1.0}) {
+            for (const double NoV : {0.2, 0.8}) {
                 MaterialPoint material;
                 material.baseColor = dvec3(0.9, 0.5, 0.1);
                 material.metallic = metallic;

@@ -1,0 +1,109 @@
+// The same inputs give the same bytes: from two runs, any number of driver threads, two processes at once.
+#include "drawing.h"
+#include "scene/camera_fit.h"
+#include "scenes.h"
+
+#include <cstdio>
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <gtest/gtest.h>
+#include <iterator>
+#include <string>
+#include <unistd.h>
+#include <vector>
+
+namespace torrance::test {
+namespace {
+
+/// Set for the child processes below: where they leave their picture.
+constexpr const char* kPictureVariable = "TORRANCE_TEST_PICTURE";
+
+Picture drawTorus()
+{
+    Scene scene = texturedTorus();
+    scene.materials[0].alphaMode = AlphaMode::blend;
+    scene.materials[0].baseColorFactor.a = 0.7;
+    scene.lights = {testLight(Light::Kind::directional), testLight(Light::Kind::point), testLight(Light::Kind::spot)};
+    scene.environment = uniformEnvironment(dvec3(0.2, 0.3, 0.4));
+    Settings settings = settingsOf("standard", 128);
+    settings.samples = 4;
+    return draw(scene, fitCamera(scene, {0.4, 1.0}, 1.0, 0.7, 0.05), settings);
+}
+
+using Bytes = std::vector<char>;
+
+Bytes bytesOf(const Picture& picture)
+{
+    const auto* const first = reinterpret_cast<const char*>(picture.color.texels.data());
+    return Bytes(first, first + picture.color.texels.size() * sizeof(float));
+}
+
+Bytes readBytes(const std::filesystem::path& path)
+{
+    std::ifstream file(path, std::ios::binary);
+    return Bytes(std::istreambuf_iterator<char>(file), {});
+}
+
+/// A process that draws the same picture; begun at once, waited for when it ends.
+class Child
+{
+public:
+    Child(const std::string& name, const std::string& variables)
+        : path(std::filesystem::path(TORRANCE_BINARY_DIR) / ("determinism-" + name + "-" + std::to_string(getpid())))
+    {
+        const std::string program = std::filesystem::read_symlink("/proc/self/exe").string();
+        const std::string command = variables + " " + kPictureVariable + "='" + path.string() + "' '" + program +
+                                    "' --gtest_filter=Determinism.LeavesItsPicture > '" + path.string() + ".log' 2>&1";
+        pipe = popen(command.c_str(), "r");
+    }
+
+    Bytes picture()
+    {
+        EXPECT_EQ(pclose(pipe), 0) << "see " << path.string() << ".log";
+        Bytes bytes = readBytes(path);
+        std::filesystem::remove(path);
+        std::filesystem::remove(path.string() + ".log");
+        return bytes;
+    }
+
+private:
+    std::filesystem::path path;
+    FILE* pipe = nullptr;
+};
+
+TEST(Determinism, LeavesItsPicture)
+{
+    const char* path = std::getenv(kPictureVariable);
+    if (path == nullptr)
+        GTEST_SKIP() << "run by the tests below";
+    const Bytes bytes = bytesOf(drawTorus());
+    std::ofstream(path, std::ios::binary).write(bytes.data(), static_cast<std::streamsize>(bytes.size()));
+}
+
+TEST(Determinism, TwoRunsGiveTheSameBytes)
+{
+    const Bytes first = bytesOf(drawTorus());
+    EXPECT_FALSE(first.empty());
+    EXPECT_TRUE(first == bytesOf(drawTorus()));
+}
+
+TEST(Determinism, TheNumberOfThreadsChangesNothing)
+{
+    const Bytes none = Child("threads0", "LP_NUM_THREADS=0").picture();
+    EXPECT_FALSE(none.empty());
+    EXPECT_TRUE(none == Child("threads1", "LP_NUM_THREADS=1 TORRANCE_THREADS=1").picture());
+    EXPECT_TRUE(none == Child("threads4", "LP_NUM_THREADS=4 TORRANCE_THREADS=4").picture());
+}
+
+TEST(Determinism, TwoProcessesAtOnceGiveTheSameBytes)
+{
+    Child one("one", "LP_NUM_THREADS=2");
+    Child two("two", "LP_NUM_THREADS=2");
+    const Bytes first = one.picture();
+    EXPECT_FALSE(first.empty());
+    EXPECT_TRUE(first == two.picture());
+}
+
+} // namespace
+} // namespace torrance::test
