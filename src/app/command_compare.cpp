@@ -241,6 +241,8 @@ Json result(const Options& options, const PictureComparison& comparison, bool di
 ExitCode run(const Options& options, const GlobalOptions& global)
 {
     checkHeatMapName(options.heatMap);
+    if (global.json == "-" && options.heatMap == "-")
+        throw usageError("--heat-map and --json both name standard output", "give one of them a file");
     const ComparedPicture reference = readPicture(options.reference), test = readPicture(options.test);
     checkAlike(reference, test, options);
     const PictureComparison comparison = comparePictures(reference, test);

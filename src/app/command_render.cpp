@@ -225,6 +225,8 @@ ExitCode run(const Options& options, const GlobalOptions& global)
 {
     const std::vector<std::string> outputs = outputNames(options.output, options.inputs);
     checkLayerNames(options.layers);
+    if (global.json == "-" && options.output.pattern == "-")
+        throw usageError("--output and --json both name standard output", "give one of them a file");
     Session session(options, global);
     Json::Array pictures;
     for (std::size_t i = 0; i < outputs.size(); ++i) {

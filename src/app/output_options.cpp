@@ -21,6 +21,19 @@ std::string withStem(std::string pattern, const std::string& input)
     return pattern;
 }
 
+// An option that would be ignored is an error: whoever gave it expects something of it.
+void checkFormat(const OutputOptions& options, const std::string& name)
+{
+    const ImageFormat format = imageFormatOf(name); // an unknown format is said before anything is drawn
+    if (isSceneLinear(format) && (!options.tone.empty() || options.exposure))
+        throw usageError(name + " holds scene-linear light, which --tone and --exposure do not touch",
+                         "leave them out, or write .png, .jpg or .webp");
+    if (options.quality && format != ImageFormat::jpeg && format != ImageFormat::webp)
+        throw usageError("--quality is for JPEG and WebP, and not for " + name, "leave it out");
+    if (options.bits && format != ImageFormat::png)
+        throw usageError("--bits is for PNG, and not for " + name, "leave it out; EXR holds 32-bit float");
+}
+
 } // namespace
 
 void declareOutputOptions(CLI::App& app, OutputOptions& options)
@@ -35,9 +48,12 @@ void declareOutputOptions(CLI::App& app, OutputOptions& options)
     std::vector<std::string> curves;
     for (const ToneCurve& curve : allToneCurves())
         curves.emplace_back(curve.id);
-    addChoice(app, "--tone", options.tone, curves, "Tone curve of display-referred pictures")->group(group);
-    app.add_option("--exposure", options.exposure, "Stops added before the tone curve")->group(group);
-    app.add_option("--bits", options.bits, "Bits per channel of PNG: 8 or 16")
+    addChoice(app, "--tone", options.tone, curves,
+              "Tone curve of display-referred pictures, khronos_neutral unless given")
+        ->group(group);
+    app.add_option("--exposure", options.exposure, "Stops added before the tone curve of display-referred pictures")
+        ->group(group);
+    app.add_option("--bits", options.bits, "Bits per channel of PNG: 8 (default) or 16")
         ->group(group)
         ->check(CLI::IsMember({8, 16}));
     app.add_option("--quality", options.quality, "Of JPEG and WebP, 1 to 100 (default 95)")
@@ -47,13 +63,13 @@ void declareOutputOptions(CLI::App& app, OutputOptions& options)
 
 std::vector<std::string> outputNames(const OutputOptions& options, const std::vector<std::string>& inputs)
 {
-    if (!std::isfinite(options.exposure))
+    if (options.exposure && !std::isfinite(*options.exposure))
         throw usageError("--exposure must be a number", "give stops, such as 1 or -0.5");
     std::vector<std::string> names;
     std::set<std::string> seen;
     for (const std::string& input : inputs) {
         names.push_back(withStem(options.pattern, input));
-        imageFormatOf(names.back()); // an unknown format is said before anything is drawn
+        checkFormat(options, names.back());
         if (!seen.insert(names.back()).second)
             throw usageError("two inputs would be written to " + names.back(),
                              "put {stem} into --output, and give inputs different names");
@@ -63,10 +79,13 @@ std::vector<std::string> outputNames(const OutputOptions& options, const std::ve
 
 WriteSettings writeSettings(const OutputOptions& options)
 {
-    return {.exposure = options.exposure,
-            .tone = findToneCurve(options.tone),
-            .bitsPerChannel = options.bits,
-            .quality = options.quality};
+    WriteSettings settings;
+    settings.exposure = options.exposure.value_or(settings.exposure);
+    settings.bitsPerChannel = options.bits.value_or(settings.bitsPerChannel);
+    settings.quality = options.quality.value_or(settings.quality);
+    if (!options.tone.empty())
+        settings.tone = findToneCurve(options.tone);
+    return settings;
 }
 
 } // namespace torrance

@@ -3,6 +3,7 @@
 
 #include "files/image_write.h"
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -14,16 +15,17 @@ namespace torrance {
 
 struct OutputOptions
 {
-    std::string pattern; // a file, "-", or with {stem} for each input's name
-    std::string tone = "khronos_neutral";
-    double exposure = 0.0; // stops
-    int bits = 8;
-    int quality = 95;
+    std::string pattern;            // a file, "-", or with {stem} for each input's name
+    std::string tone;               // empty: khronos_neutral
+    std::optional<double> exposure; // stops, 0
+    std::optional<int> bits;        // 8
+    std::optional<int> quality;     // 95
 };
 
 void declareOutputOptions(CLI::App& app, OutputOptions& options);
 
-/// One output per input. Error (usage) where two inputs would write one file, or the format is not known.
+/// One output per input. Error (usage) where two inputs would write one file, the format is not known, or an option was
+/// given that means nothing to it.
 std::vector<std::string> outputNames(const OutputOptions& options, const std::vector<std::string>& inputs);
 
 WriteSettings writeSettings(const OutputOptions& options);

@@ -218,6 +218,24 @@ TEST_F(RenderBadInput, OptionsThatAreUnknownOrWrong)
     expectRefused(render(input, {"--orbit", "0,nan"}), 2, "--orbit");
 }
 
+TEST_F(RenderBadInput, OptionsThatWouldBeIgnored)
+{
+    const auto refused = [&](const std::string& output, const std::vector<std::string>& more) {
+        std::vector<std::string> arguments = {"render", "demo", "-r",
+                                              "16x16",  "-o",   output == "-" ? output : folder.file(output)};
+        arguments.insert(arguments.end(), more.begin(), more.end());
+        const Outcome outcome = runTorrance(arguments);
+        EXPECT_EQ(outcome.output, "");
+        expectRefused(outcome, 2, more.front());
+    };
+    refused("out.exr", {"--exposure", "1"});
+    refused("out.hdr", {"--tone", "agx"});
+    refused("out.png", {"--quality", "50"});
+    refused("out.jpg", {"--bits", "16"});
+    refused("-", {"--json", "-"});
+    EXPECT_TRUE(folder.names().empty());
+}
+
 TEST_F(RenderBadInput, NoDevice)
 {
     expectRefused(render(scene(triangle()), {}, {"VK_DRIVER_FILES=/dev/null", "VK_ICD_FILENAMES=/dev/null"}), 4,
