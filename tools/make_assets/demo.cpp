@@ -21,7 +21,7 @@ void writeDemo(const std::filesystem::path& folder, const Image& panorama)
     std::filesystem::create_directories(folder);
     writePng(folder / "terrazzo.png", terrazzoColor(1024));
     writePng(folder / "wood.png", woodColor(1024));
-    writePng(folder / "wood_roughness.png", woodRoughness(1024));
+    writePng(folder / "wood_roughness.png", woodRoughness(512));
     writePng(folder / "hammered_normal.png", hammeredNormal(512));
     writePng(folder / "brushed_roughness.png", brushedRoughness(512));
     writePng(folder / "perforated.png", perforatedAlpha(64));

@@ -8,18 +8,8 @@
 
 namespace torrance::assets {
 
-class LightDirections
-{
-public:
-    explicit LightDirections(const Image& panorama);
-
-    /// s in [0, 1) picks the texel, (a, b) the place inside it.
-    dvec3 at(double s, double a, double b) const;
-
-private:
-    int width;
-    int height;
-    std::vector<double> cumulative; // per texel, ends with 1
-};
+/// `sets` different sets of `count` directions. Each is spread evenly over the panorama's light: every direction stands
+/// for the same part of it.
+std::vector<std::vector<dvec3>> lightDirections(const Image& panorama, int sets, int count);
 
 } // namespace torrance::assets

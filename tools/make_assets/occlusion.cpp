@@ -12,20 +12,18 @@ namespace torrance::assets {
 namespace {
 
 constexpr int kRays = 96; // a texel; its noise, about 1/20 at the worst, is smoothed below
+constexpr int kSets =
+    61; // of rays: enough that neighbours have different ones, so that noise does not become a pattern
 // Rays leave this far above the surface, in metres: more than a curved mesh's sag between its vertices.
 constexpr double kLift = 2e-3;
 
-/// The part of the light's cosine-weighted sum that is not blocked.
-double openness(const ShadowRays& rays, const LightDirections& lights, const dvec3& position, const dvec3& normal,
-                int x, int y)
+/// The part of the cosine-weighted light from these directions that is not blocked.
+double openness(const ShadowRays& rays, const std::vector<dvec3>& directions, const dvec3& position,
+                const dvec3& normal)
 {
-    const double jitter = randomValue(x, y, 1);
     double open = 0.0;
     double total = 0.0;
-    for (int i = 0; i < kRays; ++i) {
-        const dvec3 direction =
-            lights.at((i + jitter) / kRays, randomValue(x, y, 2 + 2 * static_cast<std::uint32_t>(i)),
-                      randomValue(x, y, 3 + 2 * static_cast<std::uint32_t>(i)));
+    for (const dvec3& direction : directions) {
         const double cosine = glm::dot(direction, normal);
         if (cosine <= 0.0)
             continue;
@@ -56,7 +54,7 @@ void smooth(std::vector<double>& values, int width, int height)
 }
 
 void bakeChart(Image& atlas, const DemoObject& object, const Surface& surface, const Chart& chart,
-               const ShadowRays& rays, const LightDirections& lights)
+               const ShadowRays& rays, const std::vector<std::vector<dvec3>>& lights)
 {
     std::vector<double> values(static_cast<std::size_t>(chart.width * chart.height));
     parallelFor(static_cast<std::size_t>(chart.height), 1, [&](std::size_t row) {
@@ -64,8 +62,9 @@ void bakeChart(Image& atlas, const DemoObject& object, const Surface& surface, c
         for (int x = 0; x < chart.width; ++x) {
             const SurfacePoint point =
                 surface.at(static_cast<double>(x) / (chart.width - 1), static_cast<double>(y) / (chart.height - 1));
-            values[static_cast<std::size_t>(y * chart.width + x)] = openness(
-                rays, lights, placed(object, point.position), turned(object, point.normal), chart.x + x, chart.y + y);
+            const auto set = static_cast<std::size_t>(randomValue(chart.x + x, chart.y + y, 4) * kSets);
+            values[static_cast<std::size_t>(y * chart.width + x)] =
+                openness(rays, lights[set], placed(object, point.position), turned(object, point.normal));
         }
     });
     smooth(values, chart.width, chart.height);
@@ -80,7 +79,7 @@ void bakeChart(Image& atlas, const DemoObject& object, const Surface& surface, c
 Image bakeOcclusion(const DemoScene& scene, const std::vector<std::vector<Chart>>& charts, const Image& panorama)
 {
     const ShadowRays rays(scene);
-    const LightDirections lights(panorama);
+    const std::vector<std::vector<dvec3>> lights = lightDirections(panorama, kSets, kRays);
     Image atlas(kAtlasSize, kAtlasSize, 1, 1.0f);
     for (std::size_t i = 0; i < scene.objects.size(); ++i)
         for (std::size_t j = 0; j < scene.objects[i].parts.size(); ++j)

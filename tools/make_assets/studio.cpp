@@ -75,7 +75,7 @@ dvec3 roomRadiance(const dvec3& direction)
 
 Image studioPanorama(int width, int height)
 {
-    Image image = panorama(width, height, 3, [](const dvec3& direction) {
+    Image image = panorama(width, height, 2, [](const dvec3& direction) {
         dvec3 radiance = roomRadiance(direction);
         for (const SoftBox& box : kSoftBoxes)
             radiance += softBoxRadiance(box, direction);
