@@ -33,7 +33,7 @@ check() { # check MODEL: prints one line, "drawn", "refused" or "FAILED" first
         echo "FAILED  $model: exit code $code: $(head -c 500 "$log" | tr '\n' ' ')"
         return
     fi
-    "$TORRANCE" compare "$picture" "$work/black.hdr" --json "$result" >/dev/null 2>"$log" || true
+    "$TORRANCE" compare "$work/black.hdr" "$picture" --quiet --json "$result" 2>"$log" || true
     python3 - "$result" "$model" <<'PYTHON'
 import json, sys
 measured = json.load(open(sys.argv[1]))
@@ -44,8 +44,14 @@ PYTHON
 }
 export -f check
 
-find "$assets" \( -name '*.gltf' -o -name '*.glb' -o -name '*.obj' \) -print0 | sort -z |
-    xargs -0 -P "${TORRANCE_JOBS:-2}" -I{} bash -c 'check "$1"' _ {} | tee "$work/results" | grep -v '^drawn' || true
+find "$assets" \( -name '*.gltf' -o -name '*.glb' -o -name '*.obj' \) -print0 | sort -z >"$work/models"
+[[ -s $work/models ]] || { echo "acceptance: there is no model under $assets" >&2; exit 2; }
+# Each result has a file of its own, so that lines of two processes do not mix.
+export results=$work/results
+mkdir "$results"
+xargs -0 -P "${TORRANCE_JOBS:-2}" -I{} bash -c 'check "$1" >"$(mktemp -p "$results")"' _ {} <"$work/models"
 
-echo "acceptance: $(grep -c '^drawn' "$work/results" || true) drawn, $(grep -c '^refused' "$work/results" || true) refused, $(grep -c '^FAILED' "$work/results" || true) failed"
-[[ -s $work/results ]] && ! grep -q '^FAILED' "$work/results"
+sort "$results"/* | grep -v '^drawn' || true
+count() { cat "$results"/* | grep -c "^$1" || true; }
+echo "acceptance: $(tr -cd '\0' <"$work/models" | wc -c) models: $(count drawn) drawn, $(count refused) refused, $(count FAILED) failed"
+(($(count drawn) + $(count refused) == $(tr -cd '\0' <"$work/models" | wc -c)))

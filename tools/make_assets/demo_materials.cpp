@@ -83,7 +83,7 @@ std::vector<DemoMaterial> demoMaterials()
     return {
         plain("paper", dvec4(0.47, 0.53, 0.52, 1.0), 0.0, 0.95),
         textured(plain("terrazzo", dvec4(1.0), 0.0, 0.32),
-                 {.file = "terrazzo.png", .repeat = dvec2(0.8), .rotation = 0.4}, {}),
+                 {.file = "terrazzo.png", .repeat = dvec2(1.5), .rotation = 0.4}, {}),
         textured(plain("glaze", dvec4(1.0), 0.0, 0.10), {.file = "glaze.png"}, {}),
         textured(plain("walnut", dvec4(1.0), 0.0, 1.0), {.file = "wood.png", .repeat = dvec2(1.4)},
                  {.file = "wood_roughness.png", .repeat = dvec2(1.4)}),
