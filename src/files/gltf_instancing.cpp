@@ -53,7 +53,7 @@ private:
 } // namespace
 
 std::optional<std::vector<dmat4>> instanceTransforms(const tinygltf::Node& node,
-                                                     const std::vector<GltfAccessor>& accessors,
+                                                     const std::vector<GltfAccessor>& accessors, std::size_t most,
                                                      const std::string& item, GltfReport& report)
 {
     const auto extension = node.extensions.find("EXT_mesh_gpu_instancing");
@@ -61,10 +61,10 @@ std::optional<std::vector<dmat4>> instanceTransforms(const tinygltf::Node& node,
         return std::nullopt;
     const InstanceAttributes attributes(extension->second, accessors, item + "/extensions/EXT_mesh_gpu_instancing",
                                         report);
-    if (attributes.count > kMaxInstances)
+    if (attributes.count > most)
         report.fail(item,
-                    "asks for " + std::to_string(attributes.count) + " instances where " +
-                        std::to_string(kMaxInstances) + " is the most",
+                    "asks for " + std::to_string(attributes.count) + " instances where " + std::to_string(most) +
+                        " is the most",
                     "split the model");
     const std::vector<vec3> translations = attributes.read<3>("TRANSLATION", vec3(0.0f));
     const std::vector<vec4> rotations = attributes.read<4>("ROTATION", vec4(0.0f, 0.0f, 0.0f, 1.0f));

@@ -22,13 +22,21 @@ void charge(std::size_t& soFar, std::size_t count, std::size_t most, const char*
     soFar += count;
 }
 
+std::size_t vertexCount(const GltfGeometry& geometry, const tinygltf::Primitive& source)
+{
+    const auto position = source.attributes.find("POSITION");
+    return position == source.attributes.end() ? 0
+                                               : geometry.accessors[static_cast<std::size_t>(position->second)].count;
+}
+
 std::vector<std::uint32_t> readIndexList(GltfGeometry& geometry, const tinygltf::Primitive& source,
                                          std::size_t vertices, const std::string& item, const GltfReport& report)
 {
     const GltfAccessor* accessor =
         source.indices < 0 ? nullptr : &geometry.accessors[static_cast<std::size_t>(source.indices)];
     const std::size_t count = accessor == nullptr ? vertices : accessor->count;
-    charge(geometry.indices, std::max(unrolledCount(source.mode, count), count), kMaxIndices, "indices", item, report);
+    charge(geometry.indices, std::max(unrolledCount(source.mode, count), count), geometry.limits.indices, "indices",
+           item, report);
 
     std::vector<std::uint32_t> indices;
     if (accessor == nullptr) {
@@ -62,6 +70,16 @@ void readUvs(Primitive& primitive, const GltfAttributes& attributes, const std::
                     "is textured by TEXCOORD_" + std::to_string(uvSets[slot]) + ", which it does not have: 0 is used");
         primitive.uvs[slot].assign(primitive.positions.size(), vec2(0.0f));
     }
+}
+
+void readVertices(Primitive& primitive, const GltfAttributes& attributes, const std::array<int, 2>& uvSets,
+                  const std::array<bool, 2>& textured, const std::string& item, GltfReport& report)
+{
+    primitive.positions = attributes.read<3>("POSITION");
+    primitive.normals = attributes.read<3>("NORMAL");
+    primitive.tangents = attributes.read<4>("TANGENT");
+    primitive.colors = attributes.read<4>("COLOR_0");
+    readUvs(primitive, attributes, uvSets, textured, item, report);
 }
 
 void finishDirections(Primitive& primitive, const std::string& item, GltfReport& report)
@@ -107,13 +125,12 @@ std::optional<Primitive> readPrimitive(GltfGeometry& geometry, int meshIndex, st
         itemName("meshes", static_cast<std::size_t>(meshIndex)) + "/primitives/" + std::to_string(number);
     if (source.mode < 0 || source.mode >= kGltfModes)
         report.fail(item, "has the unknown mode " + std::to_string(source.mode), kRepair);
-    const auto position = source.attributes.find("POSITION");
-    if (position == source.attributes.end()) {
+    const std::size_t vertices = vertexCount(geometry, source);
+    if (vertices == 0) {
         report.warn(item, "has no positions and is left out");
         return std::nullopt;
     }
-    const std::size_t vertices = geometry.accessors[static_cast<std::size_t>(position->second)].count;
-    charge(geometry.vertices, vertices, kMaxVertices, "vertices", item, report);
+    charge(geometry.vertices, vertices, geometry.limits.vertices, "vertices", item, report);
     const GltfAttributes attributes(source.attributes, geometry.accessors, vertices, geometry.quantizationDeclared,
                                     item, report);
 
@@ -125,17 +142,13 @@ std::optional<Primitive> readPrimitive(GltfGeometry& geometry, int meshIndex, st
         report.warn(item, "has too few vertices for its mode and is left out");
         return std::nullopt;
     }
-    primitive.positions = attributes.read<3>("POSITION");
-    primitive.normals = attributes.read<3>("NORMAL");
-    primitive.tangents = attributes.read<4>("TANGENT");
-    primitive.colors = attributes.read<4>("COLOR_0");
-    readUvs(primitive, attributes, uvSets, textured, item, report);
+    readVertices(primitive, attributes, uvSets, textured, item, report);
     if (!pose.weights.empty())
         applyMorphTargets(primitive, source, pose.weights, geometry, item, report);
     if (pose.joints != nullptr)
         applySkin(primitive, attributes, *pose.joints, item, report);
     if (primitive.normals.empty() && primitive.topology == Topology::triangles)
-        charge(geometry.vertices, primitive.indices.size(), kMaxVertices, "vertices", item, report);
+        charge(geometry.vertices, primitive.indices.size(), geometry.limits.vertices, "vertices", item, report);
     finishDirections(primitive, item, report);
     setBounds(primitive);
     return primitive;

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "files/gltf_accessors.h"
+#include "files/scene_file.h"
 #include "scene/scene.h"
 
 #include <array>
@@ -13,15 +14,11 @@ class Model;
 
 namespace torrance {
 
-/// What all primitives of a file together may take: about 5 GB of attributes at the most. The counts come from the
-/// file, and one accessor may be read by any number of primitives.
-inline constexpr std::size_t kMaxVertices = std::size_t(1) << 26;
-inline constexpr std::size_t kMaxIndices = std::size_t(1) << 28;
-
 struct GltfGeometry
 {
     const tinygltf::Model& model;
     const std::vector<GltfAccessor>& accessors;
+    const SceneLimits& limits;
     bool quantizationDeclared = false;
     std::size_t vertices = 0; // read so far
     std::size_t indices = 0;
@@ -38,7 +35,7 @@ struct GltfPose
 /// and bounds. `uvSets` are the file's texture coordinate sets that become uvs[0] and uvs[1]; `textured` says which of
 /// them the material samples: one that is missing is filled with zeros, with a warning. `material` is left to the
 /// caller. Nothing where there are no positions or where no point, line or triangle comes out (a warning). Errors
-/// (input): whatever glTF does not allow, an index past the vertices, more than the limits above.
+/// (input): whatever glTF does not allow, an index past the vertices, more than the limits.
 std::optional<Primitive> readPrimitive(GltfGeometry& geometry, int mesh, std::size_t number, const GltfPose& pose,
                                        const std::array<int, 2>& uvSets, const std::array<bool, 2>& textured,
                                        GltfReport& report);

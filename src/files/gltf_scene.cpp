@@ -22,7 +22,7 @@ class SceneBuilder
 public:
     SceneBuilder(const GltfDocument& from, GltfReport& messages)
         : document(from), report(messages), model(readModel(from.json, messages)),
-          worlds(worldTransforms(model, from.tree, messages)), geometry{model, from.accessors,
+          worlds(worldTransforms(model, from.tree, messages)), geometry{model, from.accessors, from.limits,
                                                                         quantizationDeclared(from)}
     {
     }
@@ -75,7 +75,8 @@ private:
                 if (use->used())
                     textures.insert(use->texture);
         }
-        GltfTextures read = readTextures(model, document.json, document.buffers, document.origin, textures, report);
+        GltfTextures read = readTextures(model, document.json, document.buffers, document.origin, textures,
+                                         document.limits.texelBytes, report);
         for (GltfMaterial& material : materials) {
             for (TextureUse* use : usesOf(material.material))
                 if (use->used())
@@ -109,7 +110,8 @@ private:
     {
         const std::vector<int>& shown = primitivesOf(node);
         const bool skinned = node.skin >= 0; // its vertices are in the world already
-        const auto instances = instanceTransforms(node, document.accessors, itemName("nodes", index), report);
+        const auto instances =
+            instanceTransforms(node, document.accessors, document.limits.instances, itemName("nodes", index), report);
         if (skinned && instances)
             report.warn(itemName("nodes", index), "is skinned: its EXT_mesh_gpu_instancing is left out");
         if (skinned || !instances)
@@ -120,9 +122,9 @@ private:
 
     void addInstances(const std::vector<int>& shown, std::size_t node, const dmat4& world)
     {
-        if (scene.instances.size() + shown.size() > kMaxInstances)
+        if (scene.instances.size() + shown.size() > document.limits.instances)
             report.fail(itemName("nodes", node),
-                        "brings the file to more than " + std::to_string(kMaxInstances) + " instances",
+                        "brings the file to more than " + std::to_string(document.limits.instances) + " instances",
                         "split the model");
         for (const int primitive : shown)
             scene.instances.push_back({primitive, static_cast<int>(node), world});

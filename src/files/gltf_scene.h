@@ -19,6 +19,7 @@ struct GltfDocument
     const std::vector<GltfAccessor>& accessors;
     const GltfNodeTree& tree;
     const GltfOrigin& origin;
+    const SceneLimits& limits;
 };
 
 /// The number of the scene that is drawn: `chosen`, the file's default, the first; -1 where the file has no scenes.

@@ -122,7 +122,7 @@ EncodedImage readImage(const json& image, std::size_t index, const GltfBuffers& 
     return encoded;
 }
 
-void checkTotalSize(const std::vector<EncodedImage>& images, const GltfReport& report)
+void checkTotalSize(const std::vector<EncodedImage>& images, std::uint64_t maxTexelBytes, const GltfReport& report)
 {
     // Eight bytes a texel, as 16-bit images take: what is refused does not depend on a header's finer points.
     constexpr std::uint64_t kBytesPerTexel = 8;
@@ -132,8 +132,11 @@ void checkTotalSize(const std::vector<EncodedImage>& images, const GltfReport& r
         if (!size)
             continue; // decoding says what is wrong with it
         total += static_cast<std::uint64_t>(size->width) * static_cast<std::uint64_t>(size->height) * kBytesPerTexel;
-        if (total > kMaxTexelBytes)
-            report.fail(image.name, "brings the images of the file to more than 4 GiB of texels", "use smaller images");
+        if (total > maxTexelBytes)
+            report.fail(image.name,
+                        "brings the images of the file to more than " + std::to_string(maxTexelBytes) +
+                            " bytes of texels",
+                        "use smaller images");
     }
 }
 
@@ -158,7 +161,8 @@ std::vector<TextureImage> decodeAll(const std::vector<EncodedImage>& encoded, co
 } // namespace
 
 GltfTextures readTextures(const tinygltf::Model& model, const json& document, const GltfBuffers& buffers,
-                          const GltfOrigin& origin, const std::set<int>& used, const GltfReport& report)
+                          const GltfOrigin& origin, const std::set<int>& used, std::uint64_t maxTexelBytes,
+                          const GltfReport& report)
 {
     GltfTextures result;
     result.textureOfFile.assign(model.textures.size(), -1);
@@ -181,7 +185,7 @@ GltfTextures readTextures(const tinygltf::Model& model, const json& document, co
         result.textureOfFile[static_cast<std::size_t>(index)] = static_cast<int>(result.textures.size());
         result.textures.push_back({imageOfFile[image], samplerOf(model, source.sampler, report)});
     }
-    checkTotalSize(encoded, report);
+    checkTotalSize(encoded, maxTexelBytes, report);
     result.images = decodeAll(encoded, report);
     return result;
 }

@@ -13,9 +13,6 @@ class Model;
 
 namespace torrance {
 
-/// What all decoded images of a file together may take. The size of each is known from its header before it is decoded.
-inline constexpr std::uint64_t kMaxTexelBytes = std::uint64_t(4) << 30;
-
 struct GltfTextures
 {
     std::vector<Texture> textures;    // in the order of the file, those asked for
@@ -25,8 +22,10 @@ struct GltfTextures
 
 /// The textures of the file that `used` names, their images decoded on all cores. Of an image in WebP and one in
 /// another format the WebP one is taken (EXT_texture_webp). Errors (input): a texture without an image that can be
-/// read, an image that is missing, damaged, of no size or too large, an unknown sampler value.
+/// read, an image that is missing, damaged, of no size or too large, more than `maxTexelBytes` in all (known from the
+/// headers, before anything is decoded), an unknown sampler value.
 GltfTextures readTextures(const tinygltf::Model& model, const nlohmann::json& document, const GltfBuffers& buffers,
-                          const GltfOrigin& origin, const std::set<int>& used, const GltfReport& report);
+                          const GltfOrigin& origin, const std::set<int>& used, std::uint64_t maxTexelBytes,
+                          const GltfReport& report);
 
 } // namespace torrance

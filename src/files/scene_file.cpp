@@ -46,7 +46,8 @@ LoadedScene build(const OpenedFile& opened, const std::filesystem::path& path, c
         report.warn("", "has no scenes: all of its nodes are drawn");
 
     LoadedScene loaded;
-    loaded.scene = buildScene({path.stem().string(), document, buffers, accessors, tree, origin}, number, report);
+    loaded.scene =
+        buildScene({path.stem().string(), document, buffers, accessors, tree, origin, options.limits}, number, report);
     loaded.facts = factsOfDocument(document, opened.container, opened.bytes.size());
     addSceneFacts(loaded.facts, loaded.scene);
     loaded.facts.scene = number;

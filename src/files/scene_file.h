@@ -11,10 +11,21 @@
 
 namespace torrance {
 
+/// What one file may ask for. Its counts are compared with these before anything is allocated for them: one accessor
+/// can be read by any number of primitives, and a few bytes can state any count.
+struct SceneLimits
+{
+    std::size_t vertices = std::size_t(1) << 26;       // in all primitives together: about 4 GB with every attribute
+    std::size_t indices = std::size_t(1) << 28;        // 1 GB
+    std::size_t instances = std::size_t(1) << 22;      // 0.6 GB of transforms
+    std::uint64_t texelBytes = std::uint64_t(4) << 30; // decoded images, counted at eight bytes a texel
+};
+
 struct LoadOptions
 {
     std::optional<int> scene = {}; // instead of the file's default
     bool allowExternal = false;    // URIs may leave the folder of the file: `..`, absolute paths, file:
+    SceneLimits limits = {};
 };
 
 /// How many of a kind a file holds, and their names ("" where one has none).

@@ -188,10 +188,10 @@ inline std::string errorOf(const std::filesystem::path& path, const LoadOptions&
     return "";
 }
 
-inline std::string errorOf(const GltfBuilder& builder)
+inline std::string errorOf(const GltfBuilder& builder, const LoadOptions& options = {})
 {
     const TestFolder folder;
-    return errorOf(folder.write("model.glb", builder.glb()));
+    return errorOf(folder.write("model.glb", builder.glb()), options);
 }
 
 inline bool contains(const std::string& text, const std::string& part)
