@@ -89,6 +89,24 @@ TEST(EnvironmentDirections, IntensityScalesTheBackground)
     expectColor(pixelOf(lookFrom(scene, dvec3(1, 0, 0), 0.5), 16, 16), 3.0 * kRed, "+X");
 }
 
+TEST(EnvironmentDirections, ReflectionsAndIrradianceLieTheSameWay)
+{
+    // A mirror facing the camera shows what is behind the camera; a matte white ball is lit by the half it faces.
+    Scene scene = panoramaScene();
+    scene.environment->rotation = kPi / 2;
+    scene.materials.push_back(plainMaterial(dvec3(1.0), 1.0, 0.0));
+    scene.shapes.push_back(
+        {.kind = AnalyticShape::Kind::sphere, .material = 0, .worldFromObject = dmat4(1.0), .name = "ball"});
+    const Settings settings = settingsOf("gltf", 33);
+    const Picture mirror =
+        draw(scene, orbitCamera({kPi / 2, kPi / 2}, 4.0, dvec3(0), 0.6), settings); // from +X: what lay at +Z
+    EXPECT_LT(glm::distance(dvec3(pixelOf(mirror, 16, 16)), kGreen), 0.02);
+    scene.materials[0] = plainMaterial(dvec3(1.0), 0.0, 1.0);
+    const dvec3 matte(pixelOf(draw(scene, orbitCamera({kPi / 2, kPi / 2}, 4.0, dvec3(0), 0.6), settings), 16, 16));
+    EXPECT_GT(matte.g, matte.r) << "green light comes from +X";
+    EXPECT_GT(matte.g, matte.b);
+}
+
 TEST(OrbitPicture, FrontRightAndTopOfAnAsset)
 {
     // Three unlit squares a metre out along +Z, +X and +Y, each facing outwards.

@@ -1,8 +1,6 @@
 #include "mesh_truth.h"
 
-#include "reference/material_point.h"
 #include "reference/shade.h"
-#include "reference/surface_point.h"
 #include "scene/camera_view.h"
 
 #include <algorithm>
@@ -23,21 +21,22 @@ CastPixel castPixel(const RayCaster& caster, const brdf::Preset& methods, const 
     const std::optional<Hit> hit = caster.closest(ray, 0.0, accept);
     if (!hit)
         return {};
-    const SurfacePoint surface = makeSurfacePoint(caster, ray, *hit);
-    const MaterialPoint material = makeMaterialPoint(scene, surface);
     CastPixel pixel;
     pixel.covered = true;
-    pixel.radiance = shade(methods, illumination, material, caster.origin(), surface.position, surface.view);
-    pixel.distance = surface.distance;
-    pixel.object = surface.object;
+    pixel.surface = makeSurfacePoint(caster, ray, *hit);
+    pixel.material = makeMaterialPoint(scene, pixel.surface);
+    pixel.radiance =
+        shade(methods, illumination, pixel.material, caster.origin(), pixel.surface.position, pixel.surface.view);
     return pixel;
 }
 
 bool sameSurface(const CastPixel& a, const CastPixel& b)
 {
-    return a.covered == b.covered &&
-           (!a.covered || (a.object == b.object &&
-                           std::abs(a.distance - b.distance) <= kDepthStep * std::min(a.distance, b.distance)));
+    if (!a.covered || !b.covered)
+        return a.covered == b.covered;
+    const double near = std::min(a.surface.distance, b.surface.distance);
+    return a.surface.object == b.surface.object &&
+           std::abs(a.surface.distance - b.surface.distance) <= kDepthStep * near;
 }
 
 void markEdges(std::vector<CastPixel>& cast, int width, int height)

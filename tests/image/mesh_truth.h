@@ -2,7 +2,7 @@
 #pragma once
 
 #include "drawing.h"
-#include "reference/ray_caster.h"
+#include "reference/material_point.h"
 
 #include <vector>
 
@@ -13,8 +13,8 @@ struct CastPixel
     bool covered = false;
     bool nearEdge = false; // the 3 x 3 neighbourhood sees more than one surface, or one and the background
     dvec3 radiance = dvec3(0.0);
-    double distance = 0.0;
-    int object = 0;
+    SurfacePoint surface; // where covered
+    MaterialPoint material;
 };
 
 /// Through the pixels' centres, row by row; opaque and masked materials, punctual lights, uniform environments.
