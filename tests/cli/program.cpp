@@ -36,10 +36,11 @@ int exitCodeOf(int status)
 
 } // namespace
 
-Outcome runTorrance(const std::vector<std::string>& arguments, const std::vector<std::string>& environment)
+Outcome runTorrance(const std::vector<std::string>& arguments, const std::vector<std::string>& environment,
+                    const std::string& outputFile)
 {
     const TestFolder folder;
-    const std::string output = folder.file("output"), errors = folder.file("errors");
+    const std::string output = outputFile.empty() ? folder.file("output") : outputFile, errors = folder.file("errors");
     std::vector<std::string> words = {TORRANCE_BINARY_DIR "/bin/torrance"};
     words.insert(words.end(), arguments.begin(), arguments.end());
     std::vector<std::string> variables = environment; // first: a name that occurs twice is taken from the front
@@ -59,7 +60,9 @@ Outcome runTorrance(const std::vector<std::string>& arguments, const std::vector
     int status = 0;
     while (failure == 0 && waitpid(child, &status, 0) < 0 && errno == EINTR)
         continue;
-    return {.exitCode = exitCodeOf(status), .output = contentOf(output), .errors = contentOf(errors)};
+    return {.exitCode = exitCodeOf(status),
+            .output = outputFile.empty() ? contentOf(output) : "",
+            .errors = contentOf(errors)};
 }
 
 bool isOneLine(const std::string& text)

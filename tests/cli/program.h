@@ -14,8 +14,10 @@ struct Outcome
     std::string errors;
 };
 
-/// `torrance arguments...`, with an empty standard input. Extra environment variables as NAME=VALUE.
-Outcome runTorrance(const std::vector<std::string>& arguments, const std::vector<std::string>& environment = {});
+/// `torrance arguments...`, with an empty standard input. Extra environment variables as NAME=VALUE. Standard output
+/// goes to `outputFile` where that is given, and Outcome::output is empty then.
+Outcome runTorrance(const std::vector<std::string>& arguments, const std::vector<std::string>& environment = {},
+                    const std::string& outputFile = "");
 
 /// Exactly one line, as errors are.
 bool isOneLine(const std::string& text);

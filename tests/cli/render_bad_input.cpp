@@ -206,6 +206,12 @@ TEST_F(RenderBadInput, OutputsThatCannotBe)
     expectRefused(runTorrance({"render", input, input, "-o", folder.file("out.png"), "-r", "16x16"}), 2, "{stem}");
 }
 
+TEST_F(RenderBadInput, FullStandardOutput)
+{
+    expectRefused(runTorrance({"render", scene(triangle()), "-r", "16x16", "-o", "-"}, {}, "/dev/full"), 6,
+                  "standard output");
+}
+
 TEST_F(RenderBadInput, OptionsThatAreUnknownOrWrong)
 {
     const std::string input = scene(triangle());

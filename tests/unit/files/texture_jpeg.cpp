@@ -1,6 +1,7 @@
 // JPEG and WebP decoding. Files come from the libraries' own encoders, called here and not through the program's
 // writers.
 #include "core/error.h"
+#include "core/log.h"
 #include "files/texture_file.h"
 
 #include <gtest/gtest.h>
@@ -106,6 +107,18 @@ TEST(TextureJpeg, RefusesDamage)
             problemOf(Bytes(whole.begin(), whole.begin() + static_cast<std::ptrdiff_t>(length)));
         EXPECT_EQ(problem.rfind("a.glb: image 0: ", 0), 0u) << "cut to " << length << ": " << problem;
     }
+}
+
+TEST(TextureJpeg, ToleratesStrayBytesBetweenSegments)
+{
+    // Some encoders leave a byte or two before the end marker; no texel depends on them.
+    const Bytes plain = flatJpeg(TJPF_RGB, TJSAMP_444, {200, 100, 50});
+    Bytes stray = plain;
+    stray.insert(stray.end() - 2, {std::byte(0x12), std::byte(0x34)});
+    const LogLevel level = logLevel();
+    setLogLevel(LogLevel::quiet);
+    EXPECT_EQ(decodeTexture(stray, "", "a.glb").texels, decodeTexture(plain, "", "a.glb").texels);
+    setLogLevel(level);
 }
 
 TEST(TextureJpeg, TellsTheSize)
