@@ -25,7 +25,7 @@ int cubeSizeFor(int panoramaWidth)
 
 EnvironmentMaps makeEnvironmentMaps(const Image& panorama)
 {
-    assert(panorama.channels == 3 && panorama.width >= 2 && panorama.height >= 1);
+    assert(panorama.channels == 3 && panorama.width >= 1 && panorama.height >= 1);
     assert(std::all_of(panorama.texels.begin(), panorama.texels.end(),
                        [](float x) { return x >= 0.0f && std::isfinite(x); }));
     RadianceCube cube = makeRadianceCube(panorama, cubeSizeFor(panorama.width));

@@ -28,7 +28,7 @@ double levelAlpha(int level, int levels);
 /// above.
 int cubeSizeFor(int panoramaWidth);
 
-/// Both from a lat-long panorama (math/latlong.h) of 3 channels, at least 2 x 1, finite and not negative
+/// Both from a lat-long panorama (math/latlong.h) of 3 channels, at least 1 x 1, finite and not negative
 /// (asserted), of any dynamic range. A constant panorama stays constant to 1e-6; the energy of every level is the
 /// panorama's within 0.5 %. The result depends on the panorama alone.
 EnvironmentMaps makeEnvironmentMaps(const Image& panorama);

@@ -26,16 +26,12 @@ class SrgbCodes
 public:
     SrgbCodes()
     {
-        for (std::size_t i = 0; i < decoded.size(); ++i)
-            decoded[i] = static_cast<float>(srgbDecode(static_cast<double>(i) / 255.0));
         for (std::size_t i = 0; i < boundary.size(); ++i)
             boundary[i] = static_cast<float>(srgbDecode((static_cast<double>(i) + 0.5) / 255.0));
         for (std::size_t i = 0; i < atLeast.size(); ++i)
             atLeast[i] = static_cast<std::uint8_t>(
                 std::upper_bound(boundary.begin(), boundary.end(), static_cast<float>(i) / kSteps) - boundary.begin());
     }
-
-    float decode(std::uint8_t code) const { return decoded[code]; }
 
     /// x in [0, 1].
     std::uint8_t encode(float x) const
@@ -48,8 +44,7 @@ public:
 
 private:
     static constexpr float kSteps = 4096.0f; // finer than the code values are anywhere
-    std::array<float, 256> decoded;
-    std::array<float, 255> boundary; // between code i and i + 1
+    std::array<float, 255> boundary;         // between code i and i + 1
     std::array<std::uint8_t, static_cast<std::size_t>(kSteps) + 1> atLeast;
 };
 
@@ -59,18 +54,41 @@ const SrgbCodes& srgbCodes()
     return codes;
 }
 
-/// How texels become numbers that may be averaged, and back.
-struct Codec
+/// quantized() without its call per texel: adding 1.5 * 2^52 leaves a double no bits below one, rounded half to even.
+std::uint16_t rounded(float value, double maximum)
 {
-    TexelFormat format;
-    MipRule rule;
+    constexpr double kNoFraction = 0x1.8p52;
+    return static_cast<std::uint16_t>(static_cast<double>(value) * maximum + kNoFraction - kNoFraction);
+}
 
-    vec4 decode(const std::byte* texel) const
+/// How texels become numbers that may be averaged, and back.
+class Codec
+{
+public:
+    const TexelFormat format;
+
+    Codec(TexelFormat texelFormat, const MipRule& mipRule) : format(texelFormat), rule(mipRule)
     {
-        const vec4 value = decodeChannels(texel);
-        if (rule.content == TexelContent::normal)
-            return vec4(vec3(value) * 2.0f - 1.0f, value.a);
-        return rule.weighByAlpha ? vec4(vec3(value) * (value.a + kHiddenWeight), value.a) : value;
+        const std::uint16_t maximum = format == TexelFormat::rgba8 ? 255 : 65535;
+        for (std::uint32_t code = 0; code <= maximum; ++code) {
+            const float stored = dequantized(static_cast<std::uint16_t>(code), maximum);
+            alphaOf.push_back(stored);
+            colorOf.push_back(rule.content == TexelContent::color    ? srgbDecode(stored)
+                              : rule.content == TexelContent::normal ? stored * 2.0f - 1.0f
+                                                                     : stored);
+        }
+    }
+
+    /// `count` texels, one after the other.
+    void decode(const std::byte* texels, std::size_t count, vec4* out) const
+    {
+        if (format == TexelFormat::rgba8)
+            decodeAs<std::uint8_t>(texels, count, out);
+        else
+            decodeAs<std::uint16_t>(texels, count, out);
+        if (rule.weighByAlpha)
+            for (std::size_t i = 0; i < count; ++i)
+                out[i] = vec4(vec3(out[i]) * (out[i].a + kHiddenWeight), out[i].a);
     }
 
     void encode(const vec4& mean, std::byte* texel) const
@@ -85,22 +103,14 @@ struct Codec
     }
 
 private:
-    vec4 decodeChannels(const std::byte* texel) const
+    template <typename Code>
+    void decodeAs(const std::byte* texels, std::size_t count, vec4* out) const
     {
-        vec4 value;
-        for (int c = 0; c < 4; ++c) {
-            const bool curved = rule.content == TexelContent::color && c < 3;
-            if (format == TexelFormat::rgba8) {
-                const auto code = std::to_integer<std::uint8_t>(texel[c]);
-                value[c] = curved ? srgbCodes().decode(code) : dequantized(code, 255);
-                continue;
-            }
-            std::uint16_t code;
-            std::memcpy(&code, texel + 2 * c, sizeof code);
-            const float stored = dequantized(code, 65535);
-            value[c] = curved ? srgbDecode(stored) : stored;
+        for (std::size_t i = 0; i < count; ++i) {
+            std::array<Code, 4> code;
+            std::memcpy(code.data(), texels + i * sizeof code, sizeof code);
+            out[i] = vec4(colorOf[code[0]], colorOf[code[1]], colorOf[code[2]], alphaOf[code[3]]);
         }
-        return value;
     }
 
     void encodeChannels(const vec4& value, std::byte* texel) const
@@ -109,13 +119,16 @@ private:
             const bool curved = rule.content == TexelContent::color && c < 3;
             if (format == TexelFormat::rgba8) {
                 texel[c] = std::byte(curved ? srgbCodes().encode(value[c])
-                                            : static_cast<std::uint8_t>(quantized(value[c], 255)));
+                                            : static_cast<std::uint8_t>(rounded(value[c], 255.0)));
                 continue;
             }
-            const std::uint16_t code = quantized(curved ? srgbEncode(value[c]) : value[c], 65535);
+            const std::uint16_t code = rounded(curved ? srgbEncode(value[c]) : value[c], 65535.0);
             std::memcpy(texel + 2 * c, &code, sizeof code);
         }
     }
+
+    MipRule rule;
+    std::vector<float> colorOf, alphaOf; // by code
 };
 
 /// The texels of the finer level under one of the coarser, along one axis.
@@ -155,12 +168,18 @@ void reduceRow(int y, int fineWidth, int fineHeight, Means& coarse, const FineRo
     const Taps rows = tapsOf(y, fineHeight, coarse.height);
     for (int j = 0; j < rows.count; ++j) {
         const vec4* in = fineRow(rows.first + j);
+        const float weight = rows.weight[static_cast<std::size_t>(j)];
+        if (fineWidth % 2 == 0) { // the common case, without its taps
+            for (int x = 0; x < coarse.width; ++x)
+                out[x] += (0.5f * weight) * (in[2 * x] + in[2 * x + 1]);
+            continue;
+        }
         for (int x = 0; x < coarse.width; ++x) {
             const Taps columns = tapsOf(x, fineWidth, coarse.width);
             vec4 sum(0.0f);
             for (int i = 0; i < columns.count; ++i)
                 sum += columns.weight[static_cast<std::size_t>(i)] * in[columns.first + i];
-            out[x] += rows.weight[static_cast<std::size_t>(j)] * sum;
+            out[x] += weight * sum;
         }
     }
 }
@@ -185,11 +204,8 @@ Means reduceImage(const TextureImage& image, const Codec& codec)
     parallelFor(static_cast<std::size_t>(coarse.height), rowsPerTask(image.width), [&](std::size_t y) {
         std::vector<vec4> row(static_cast<std::size_t>(image.width));
         reduceRow(static_cast<int>(y), image.width, image.height, coarse, [&](int fineY) {
-            const std::byte* texel = image.texels.data() + static_cast<std::size_t>(fineY) * row.size() * stride;
-            for (vec4& value : row) {
-                value = codec.decode(texel);
-                texel += stride;
-            }
+            codec.decode(image.texels.data() + static_cast<std::size_t>(fineY) * row.size() * stride, row.size(),
+                         row.data());
             return row.data();
         });
     });
@@ -227,7 +243,7 @@ int mipCount(int width, int height)
 std::vector<TextureImage> makeMips(const TextureImage& base, const MipRule& rule)
 {
     assert(base.width > 0 && base.height > 0);
-    const Codec codec{base.format, rule};
+    const Codec codec(base.format, rule);
     std::vector<TextureImage> levels;
     Means means;
     for (int level = 1; level < mipCount(base.width, base.height); ++level) {

@@ -12,6 +12,8 @@
 #include <cstdint>
 #include <functional>
 #include <gtest/gtest.h>
+#include <utility>
+#include <vector>
 
 namespace torrance {
 namespace {
@@ -200,6 +202,14 @@ TEST(EnvironmentMaps, BlackStaysBlack)
     for (const auto& level : makeEnvironmentMaps(Image(32, 16, 3)).specular.data)
         for (std::size_t i = 0; i < level.size(); ++i)
             ASSERT_EQ(level[i], i % 4 == 3 ? 1.0f : 0.0f);
+}
+
+TEST(EnvironmentMaps, TakeEveryShapeOfPanorama)
+{
+    for (const auto& [width, height] : {std::pair(1, 1), std::pair(2, 1), std::pair(3, 7), std::pair(130, 20)})
+        for (const auto& level : makeEnvironmentMaps(Image(width, height, 3, 0.5f)).specular.data)
+            for (std::size_t i = 0; i < level.size(); ++i)
+                ASSERT_NEAR(level[i], i % 4 == 3 ? 1.0f : 0.5f, 1e-6f) << width << " x " << height;
 }
 
 class EnvironmentMapsOfSuns : public testing::TestWithParam<float>
