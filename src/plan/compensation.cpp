@@ -10,7 +10,10 @@ namespace torrance {
 namespace {
 
 constexpr double kDielectricF0 = 0.04; // glTF 2.0, Appendix B
-constexpr std::array kViews = {0.05, 0.25, 0.5, 0.75, 1.0};
+// Gauss-Legendre nodes and weights of order 5 on [0, 1] (Abramowitz & Stegun, table 25.4).
+constexpr std::array kViews = {0.04691007703066802, 0.23076534494715845, 0.5, 0.76923465505284155, 0.95308992296933198};
+constexpr std::array kViewWeights = {0.11846344252809454, 0.23931433524968324, 0.28444444444444444, 0.23931433524968324,
+                                     0.11846344252809454};
 constexpr int kRoughnessSteps = 64;
 
 struct AlbedoRow
@@ -40,13 +43,16 @@ double compensationGain(const MaterialRange& range)
     for (int c = 0; c < 3; ++c) {
         const double f0 =
             kDielectricF0 * (1.0 - metallic) + std::clamp(range.greatestBaseColor[c], 0.0, 1.0) * metallic;
-        for (const brdf::AlbedoTerms& terms : row.terms) {
-            const double whole = terms.scale + terms.bias;
+        const double diffuse =
+            (1.0 - metallic) * std::clamp(range.greatestBaseColor[c], 0.0, 1.0) * (1.0 - kDielectricF0);
+        double added = 0, whole = 0;
+        for (std::size_t i = 0; i < kViews.size(); ++i) {
+            const brdf::AlbedoTerms& terms = row.terms[i];
             const double specular = terms.scale * f0 + terms.bias;
-            const double diffuse =
-                (1.0 - metallic) * std::clamp(range.greatestBaseColor[c], 0.0, 1.0) * (1.0 - kDielectricF0);
-            gain = std::max(gain, f0 * (1.0 / whole - 1.0) * specular / (specular + diffuse));
+            added += kViewWeights[i] * kViews[i] * f0 * (1.0 / terms.albedo() - 1.0) * specular;
+            whole += kViewWeights[i] * kViews[i] * (specular + diffuse);
         }
+        gain = std::max(gain, added / whole);
     }
     return gain;
 }

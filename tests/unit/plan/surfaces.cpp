@@ -1,0 +1,119 @@
+#include "scenes.h"
+
+#include <gtest/gtest.h>
+#include <set>
+
+namespace torrance {
+namespace {
+
+using test::sceneWith;
+using test::settings;
+
+Light light(Light::Kind kind, double intensity)
+{
+    return {.name = "light", .kind = kind, .intensity = intensity};
+}
+
+TEST(SurfacePlan, InstancesOfOnePrimitiveAreOneDraw)
+{
+    Scene scene = sceneWith({});
+    scene.instances.assign(1000, Instance{});
+    const ShadingPlan plan = makePlan(scene, settings());
+    ASSERT_EQ(plan.batches.size(), 1u);
+    ASSERT_EQ(plan.batches[0].draws.size(), 1u);
+    EXPECT_EQ(plan.batches[0].draws[0].instanceCount, 1000);
+}
+
+TEST(SurfacePlan, MirroredInstancesAreDrawnApart)
+{
+    Scene scene = sceneWith({});
+    Instance mirrored;
+    mirrored.worldFromObject[0][0] = -1.0;
+    scene.instances.push_back(mirrored);
+    const ShadingPlan plan = makePlan(scene, settings());
+    ASSERT_EQ(plan.batches[0].draws.size(), 2u);
+    EXPECT_NE(plan.batches[0].draws[0].mirrored, plan.batches[0].draws[1].mirrored);
+}
+
+TEST(SurfacePlan, ATextureWithoutCoordinatesIsLeftOut)
+{
+    Scene scene = sceneWith({});
+    scene.materials[0].baseColor = test::addTexture(scene, {1, 2, 3, 4}, {5, 6, 7, 8});
+    scene.materials[0].baseColor.uvSet = 1;
+    EXPECT_FALSE(makePlan(scene, settings()).batches[0].key.baseColor.used);
+    scene.primitives[0].uvs[1] = scene.primitives[0].uvs[0];
+    EXPECT_TRUE(makePlan(scene, settings()).batches[0].key.baseColor.used);
+}
+
+TEST(SurfacePlan, PointsWithoutNormalsAreUnlit)
+{
+    Scene scene = sceneWith({});
+    scene.primitives[0].topology = Topology::points;
+    scene.primitives[0].normals.clear();
+    scene.lights = {light(Light::Kind::directional, 1.0)};
+    const ShadingPlan plan = makePlan(scene, settings());
+    EXPECT_TRUE(plan.lights.empty()) << "no surface is lit";
+    EXPECT_EQ(selectedText(plan, plan.batches[0].key).find("#define LIT"), std::string::npos);
+}
+
+TEST(SurfacePlan, LightsThatCannotBeSeenGo)
+{
+    Scene scene = sceneWith({});
+    Light far = light(Light::Kind::point, 5.0);
+    far.position = dvec3(0, 0, 10);
+    far.range = 9.99; // the triangle lies in z = 0
+    Light near = far;
+    near.range = 10.01;
+    scene.lights = {light(Light::Kind::spot, 1.0), far, near, light(Light::Kind::directional, 0.0),
+                    light(Light::Kind::directional, 2.0)};
+    const ShadingPlan plan = makePlan(scene, settings());
+    EXPECT_EQ(plan.lightCounts, (std::array<int, 3>{1, 1, 1}));
+    ASSERT_EQ(plan.lights.size(), 3u);
+    EXPECT_EQ(plan.lights[0].kind, Light::Kind::directional);
+    EXPECT_EQ(plan.lights[1].range, 10.01);
+}
+
+TEST(SurfacePlan, AnEnvironmentThatNothingNeedsIsNotPrepared)
+{
+    Scene scene = sceneWith({.unlit = true});
+    scene.environment = Environment{.radiance = Image(2, 1, 3, 1.0f)};
+    Settings transparent = settings();
+    transparent.background = BackgroundKind::transparent;
+    const ShadingPlan plan = makePlan(scene, transparent);
+    EXPECT_FALSE(plan.environmentLight);
+    EXPECT_FALSE(plan.panorama);
+    EXPECT_FALSE(plan.dfgTable);
+    scene.materials[0].unlit = false;
+    EXPECT_TRUE(makePlan(scene, transparent).environmentLight);
+    EXPECT_TRUE(makePlan(scene, settings()).panorama);
+}
+
+TEST(SurfacePlan, DifferentKeysHaveDifferentTexts)
+{
+    std::set<std::string> texts, names;
+    const ShadingPlan plan = makePlan(sceneWith({}), settings("standard"));
+    int count = 0;
+    for (const bool colors : {false, true})
+        for (const bool compensates : {false, true})
+            for (const AlphaMode mode : {AlphaMode::opaque, AlphaMode::mask, AlphaMode::blend})
+                for (const int uv : {0, 1}) {
+                    const ShaderKey key = {.colors = colors,
+                                           .baseColor = {.used = true, .uvSet = uv},
+                                           .alphaMode = mode,
+                                           .compensates = compensates};
+                    texts.insert(selectedText(plan, key));
+                    names.insert(key.name());
+                    ++count;
+                }
+    EXPECT_EQ(texts.size(), static_cast<std::size_t>(count));
+    EXPECT_EQ(names.size(), static_cast<std::size_t>(count));
+}
+
+TEST(SurfacePlan, TheSameSceneGivesTheSamePlan)
+{
+    const Scene scene = sceneWith({.name = "a"});
+    EXPECT_EQ(explain(makePlan(scene, settings())), explain(makePlan(scene, settings())));
+}
+
+} // namespace
+} // namespace torrance
