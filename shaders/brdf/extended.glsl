@@ -72,11 +72,10 @@ float powerOfTwo(int n)
 const float kLn2High = 0.693359375;
 const float kLn2Low = -2.12194440e-4;
 
-// log(1 - s), 0 <= s < 1: 1 - s = 2^e (1 + f), log(1 + f) = 2 artanh(z), z = f / (2 + f), |z| <= 0.172. Only the first term of the
-// series needs both words: the others are a hundredth of it.
-vec2 extendedLogOneMinus(float s)
+// log(x), 1e-37 < x <= 1: x = 2^e (1 + f), log(1 + f) = 2 artanh(z), z = f / (2 + f), |z| <= 0.172. Only the first term of the series
+// needs both words: the others are a hundredth of it.
+vec2 extendedLog(vec2 x)
 {
-    vec2 x = exactSum(1.0, -s);
     float e = round(log2(x.x));
     vec2 f = extendedSum(x * powerOfTwo(-int(e)), vec2(-1.0, 0.0));
     vec2 z = extendedQuotient(f, extendedSum(f, vec2(2.0, 0.0)));

@@ -35,13 +35,15 @@ double D_beckmann(const ShadingPoint& point)
     return density > 0 ? density * secant2 * secant2 / (kPi * point.alpha * point.alpha) : 0.0;
 }
 
-// Walter et al. 2007, eq. 30, with the exponent p = 2/a^2 - 2 that gives Beckmann's peak: NoH^p = exp(p/2 log(1 -
-// sin^2)).
+// Walter et al. 2007, eq. 30, with the exponent p = 2/a^2 - 2 that gives Beckmann's peak. log NoH comes from sin^2
+// where NoH is near 1 and its last digits are all there is.
 double D_blinn(const ShadingPoint& point)
 {
     const double p = 2.0 / (point.alpha * point.alpha) - 2.0;
-    const double power = p > 0 ? std::exp(0.5 * p * std::log1p(-point.sin2H)) : 1.0;
-    return (p + 2.0) / (2.0 * kPi) * power;
+    if (p <= 0)
+        return 1.0 / kPi; // alpha = 1: no lobe
+    const double logNoH = point.sin2H < 0.5 ? 0.5 * std::log1p(-point.sin2H) : std::log(std::abs(point.NoH));
+    return (p + 2.0) / (2.0 * kPi) * std::exp(p * logNoH);
 }
 
 } // namespace torrance::brdf
