@@ -21,6 +21,7 @@ vec3 brdf(vec3 n, vec3 v, vec3 l, vec3 baseColor, float metallic, float perceptu
     float length2 = dot(t, t);
     float NoH = (NoV + NoL) * inversesqrt(length2);
     float VoH = 0.5 * sqrt(length2);
+    float oneLessVoH = 0.25 * dot(d, d) / (1.0 + VoH);
     float sin2H = dot(nxt, nxt) / length2;
 
     float specular = SELECTED_distribution(NoH, sin2H, alpha) *
@@ -28,10 +29,10 @@ vec3 brdf(vec3 n, vec3 v, vec3 l, vec3 baseColor, float metallic, float perceptu
     vec3 diffuse = SELECTED_diffuse(NoV, NoL, dot(v, l), VoH, perceptualRoughness, baseColor);
 
     const vec3 f0 = vec3(kDielectricF0);
-    vec3 F = SELECTED_fresnel(VoH, f0, vec3(1.0), kDielectricIor, vec3(kDielectricIor), vec3(0.0));
+    vec3 F = SELECTED_fresnel(VoH, oneLessVoH, f0, vec3(1.0), kDielectricIor, vec3(kDielectricIor), vec3(0.0));
     vec3 dielectric = diffuse * (1.0 - F) + specular * F * SELECTED_multiple_scattering(f0, E);
 
-    vec3 metalF = SELECTED_fresnel(VoH, baseColor, vec3(1.0), kDielectricIor, vec3(kDielectricIor), vec3(0.0));
+    vec3 metalF = SELECTED_fresnel(VoH, oneLessVoH, baseColor, vec3(1.0), kDielectricIor, vec3(kDielectricIor), vec3(0.0));
     vec3 metal = specular * metalF * SELECTED_multiple_scattering(baseColor, E);
 
     // Not mix(): a(1 - m) + b m is a at m = 0 and b at m = 1, to the bit.

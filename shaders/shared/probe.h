@@ -18,6 +18,7 @@ struct ProbeRow
     float VoL;
     float NoH;
     float VoH;
+    float oneLessVoH;
     float sin2H;
     float perceptualRoughness;
     float alpha;

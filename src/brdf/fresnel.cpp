@@ -49,7 +49,7 @@ double conductor(double c, double eta, double k)
 // Schlick 1994, eq. 15.
 dvec3 F_schlick(const ShadingPoint& point)
 {
-    const double grazing = std::pow(1.0 - point.VoH, 5);
+    const double grazing = std::pow(point.oneLessVoH, 5);
     return point.f0 * (1.0 - grazing) + point.f90 * grazing;
 }
 

@@ -1,5 +1,5 @@
-// F: share of light that a flat interface reflects, per colour channel, at the cosine VoH. Read from a point: VoH and
-// what the method needs of f0, f90, ior, eta, k.
+// F: share of light that a flat interface reflects, per colour channel, at the cosine VoH. Read from a point: VoH,
+// oneLessVoH and what the method needs of f0, f90, ior, eta, k.
 #pragma once
 
 #include "brdf/shading_point.h"

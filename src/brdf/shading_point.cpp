@@ -30,7 +30,9 @@ ShadingPoint makeShadingPoint(const dvec3& n, const dvec3& v, const dvec3& l, do
 
     // The half vector is not normalised first: its length is 2 v.h, and n x t keeps the digits that 1 - NoH^2 would
     // cancel.
+    // So does |v - l| for 1 - VoH, whose fifth power is all that a black metal reflects.
     const dvec3 t = point.v + point.l;
+    const dvec3 d = point.v - point.l;
     const double length2 = glm::dot(t, t);
     if (length2 > 0) {
         const dvec3 nxt = glm::cross(point.n, t);
@@ -42,6 +44,7 @@ ShadingPoint makeShadingPoint(const dvec3& n, const dvec3& v, const dvec3& l, do
         point.VoH = 0;
         point.sin2H = 1;
     }
+    point.oneLessVoH = 0.25 * glm::dot(d, d) / (1.0 + point.VoH);
 
     point.perceptualRoughness = perceptualRoughness;
     point.alpha = std::max(perceptualRoughness * perceptualRoughness, kMinAlpha);

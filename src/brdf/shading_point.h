@@ -22,6 +22,7 @@ struct ShadingPoint
     double VoL = 1;
     double NoH = 1, VoH = 1; // h = (v + l) / |v + l|
     double sin2H = 0;        // 1 - NoH^2 = |n x t|^2 / |t|^2, t = v + l
+    double oneLessVoH = 0;   // 1 - VoH = |v - l|^2 / (4 (1 + VoH))
 
     double perceptualRoughness = 1;
     double alpha = 1;  // max(r^2, kMinAlpha)
@@ -38,8 +39,9 @@ struct ShadingPoint
     double E = 1; // directional albedo, at NoV, of the specular lobe with F = 1: what compensation divides by
 };
 
-/// Fills the cosines, sin2H and the alphas from n, v, l and perceptualRoughness. n, v, l are normalised first. Where
-/// l = -v there is no half vector: NoH = 0, sin2H = 1, VoH = 0 (nothing is reflected there: one of NoV, NoL is <= 0).
+/// Fills the cosines, sin2H, oneLessVoH and the alphas from n, v, l and perceptualRoughness. n, v, l are normalised
+/// first. Where l = -v there is no half vector: NoH = 0, sin2H = 1, VoH = 0 (nothing is reflected there: one of NoV,
+/// NoL is <= 0).
 ShadingPoint makeShadingPoint(const dvec3& n, const dvec3& v, const dvec3& l, double perceptualRoughness);
 
 } // namespace torrance::brdf

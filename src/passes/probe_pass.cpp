@@ -16,7 +16,7 @@
 namespace torrance {
 namespace {
 
-static_assert(sizeof(shared::ProbeRow) == 35 * sizeof(float), "scalar layout has no padding");
+static_assert(sizeof(shared::ProbeRow) == 36 * sizeof(float), "scalar layout has no padding");
 
 // Rows of one draw: 37 MB of table and 4 MB of target.
 constexpr std::size_t kMostRows = 256 * shared::kProbeWidth;
@@ -32,6 +32,7 @@ shared::ProbeRow rounded(const brdf::ShadingPoint& point)
             .VoL = f(point.VoL),
             .NoH = f(point.NoH),
             .VoH = f(point.VoH),
+            .oneLessVoH = f(point.oneLessVoH),
             .sin2H = f(point.sin2H),
             .perceptualRoughness = f(point.perceptualRoughness),
             .alpha = f(point.alpha),

@@ -21,7 +21,7 @@ std::string argumentsOf(Slot slot)
     case Slot::visibility:
         return "row.NoV, row.NoL, row.NoH, row.VoH, row.alpha, row.perceptualRoughness";
     case Slot::fresnel:
-        return "row.VoH, row.f0, row.f90, row.ior, row.eta, row.k";
+        return "row.VoH, row.oneLessVoH, row.f0, row.f90, row.ior, row.eta, row.k";
     case Slot::diffuse:
         return "row.NoV, row.NoL, row.VoL, row.VoH, row.perceptualRoughness, row.baseColor";
     case Slot::multipleScattering:

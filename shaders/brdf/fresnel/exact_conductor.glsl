@@ -4,7 +4,7 @@
 #include "brdf/extended.glsl"
 #include "shared/constants.h"
 
-vec3 F_exact_conductor(float VoH, vec3 f0, vec3 f90, float ior, vec3 eta, vec3 k)
+vec3 F_exact_conductor(float VoH, float oneLessVoH, vec3 f0, vec3 f90, float ior, vec3 eta, vec3 k)
 {
     float c = clamp(VoH, 0.0, 1.0);
     float s2 = (1.0 - c) * (1.0 + c);

@@ -153,6 +153,18 @@ TEST(Condition, GrowsWhereTheHighlightIsNarrow)
     EXPECT_LT(conditionNumber(density, makeShadingPoint({0, 0, 1}, v, l, 0.8)), 10);
 }
 
+// cos h of the angle t between v and l is cos(t/2): 1 - cos(t/2) = 2 sin^2(t/4), t^2/8 for small t, where 1 - VoH
+// itself has no digit left.
+TEST(ShadingPoint, KeepsOneLessVoHWhereVAndLMeet)
+{
+    const double angle = 1e-9;
+    const ShadingPoint point = makeShadingPoint({0, 0, 1}, {0, 0, 1}, {std::sin(angle), 0, std::cos(angle)}, 0.5);
+    EXPECT_NEAR(point.oneLessVoH / (angle * angle / 8), 1.0, 1e-6);
+    EXPECT_EQ(1 - point.VoH, 0.0);
+    const ShadingPoint opposite = makeShadingPoint({0, 0, 1}, {0, 1, 0}, {0, -1, 0}, 0.5);
+    EXPECT_EQ(opposite.oneLessVoH, 1.0);
+}
+
 TEST(ShadingPoint, TakesVectorsOfAnyLength)
 {
     const ShadingPoint huge = makeShadingPoint({0, 0, 1e300}, {0.6e250, 0, 0.8e250}, {0, 0, 5e-320}, 0.5);

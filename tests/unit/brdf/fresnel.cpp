@@ -8,10 +8,16 @@
 namespace torrance::brdf {
 namespace {
 
+void setCosine(ShadingPoint& point, double VoH)
+{
+    point.VoH = VoH;
+    point.oneLessVoH = 1 - VoH;
+}
+
 double dielectricAt(double cosine, double ior)
 {
     ShadingPoint point;
-    point.VoH = cosine;
+    setCosine(point, cosine);
     point.ior = ior;
     return F_exact_dielectric(point).g;
 }
@@ -19,7 +25,7 @@ double dielectricAt(double cosine, double ior)
 double conductorAt(double cosine, double eta, double k)
 {
     ShadingPoint point;
-    point.VoH = cosine;
+    setCosine(point, cosine);
     point.eta = dvec3(eta);
     point.k = dvec3(k);
     return F_exact_conductor(point).g;
@@ -76,7 +82,7 @@ TEST(Fresnel, IndexOneReflectsExactlyNothing)
         EXPECT_EQ(conductorAt(cosine, 1.0, 0.0), 0.0);
     }
     ShadingPoint grazing;
-    grazing.VoH = 0;
+    setCosine(grazing, 0);
     grazing.f0 = dvec3(0);
     EXPECT_EQ(F_schlick(grazing), dvec3(1)) << "Schlick's term still rises to one, as it is written";
 }
@@ -123,14 +129,14 @@ TEST(Fresnel, EverythingIsReflectedAtGrazing)
     EXPECT_DOUBLE_EQ(dielectricAt(0.0, 1.5), 1.0);
     EXPECT_NEAR(conductorAt(0.0, 0.2, 3.9), 1.0, 1e-15);
     ShadingPoint point;
-    point.VoH = 0;
+    setCosine(point, 0);
     point.f0 = dvec3(0.3, 0.5, 0.7);
     EXPECT_EQ(F_schlick(point), dvec3(1));
-    point.VoH = 1;
+    setCosine(point, 1);
     EXPECT_EQ(F_schlick(point), point.f0);
     point.f90 = dvec3(0); // a specular weight of zero takes the grazing term with it
     point.f0 = dvec3(0);
-    point.VoH = 0.1;
+    setCosine(point, 0.1);
     EXPECT_EQ(F_schlick(point), dvec3(0));
 }
 
