@@ -57,7 +57,7 @@ DemoMaterial leafMaterial()
 
 DemoMaterial amberGlass()
 {
-    DemoMaterial material = plain("amber glass", dvec4(0.93, 0.36, 0.07, 0.42), 0.0, 0.04);
+    DemoMaterial material = plain("amber glass", dvec4(0.80, 0.20, 0.015, 0.55), 0.0, 0.04);
     material.alphaMode = "BLEND";
     return material;
 }
@@ -72,6 +72,7 @@ DemoMaterial textured(DemoMaterial material, const PictureUse& color, const Pict
 DemoMaterial hammered(DemoMaterial material)
 {
     material.normalPicture = {.file = "hammered_normal.png", .repeat = dvec2(2.0, 1.0)};
+    material.normalScale = 0.7;
     return material;
 }
 
@@ -83,7 +84,7 @@ std::vector<DemoMaterial> demoMaterials()
     return {
         plain("paper", dvec4(0.47, 0.53, 0.52, 1.0), 0.0, 0.95),
         textured(plain("terrazzo", dvec4(1.0), 0.0, 0.32),
-                 {.file = "terrazzo.png", .repeat = dvec2(1.5), .rotation = 0.4}, {}),
+                 {.file = "terrazzo.png", .repeat = dvec2(2.0), .rotation = 0.4}, {}),
         textured(plain("glaze", dvec4(1.0), 0.0, 0.10), {.file = "glaze.png"}, {}),
         textured(plain("walnut", dvec4(1.0), 0.0, 1.0), {.file = "wood.png", .repeat = dvec2(1.4)},
                  {.file = "wood_roughness.png", .repeat = dvec2(1.4)}),

@@ -93,8 +93,8 @@ Surface cylinder(double radius, double height, double rounding, int columns)
 
 void addBackdrop(std::vector<DemoObject>& objects)
 {
-    objects.push_back(
-        object("sweep", Finish::paper, {{sweep(5.0, 4.5, -2.6, 1.3, 4.5), 192, 192}}, dvec3(0.0, -kPlinthHeight, 0.0)));
+    objects.push_back(object("sweep", Finish::paper, {{sweep(5.0, 4.5, -2.6, 1.3, 4.5), 192, 192, 6}},
+                             dvec3(0.0, -kPlinthHeight, 0.0)));
     objects.push_back(
         object("plinth", Finish::terrazzo, {{disc(kPlinthFlat, 32), 224, 224}, {plinthSide(), 128, 16}}, dvec3(0.0)));
 }

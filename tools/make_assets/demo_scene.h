@@ -44,6 +44,7 @@ struct DemoPart
     Surface surface;
     int chartWidth = 0;
     int chartHeight = 0;
+    int smoothing = 1; // passes over the chart: more where it is wide and its light changes slowly
 };
 
 /// One node, one mesh, one primitive.

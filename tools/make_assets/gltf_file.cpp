@@ -106,8 +106,10 @@ Json materialJson(Document& document, const DemoMaterial& material, const std::s
         surface["baseColorTexture"] = textureInfo(document, material.baseColorPicture);
     if (material.roughnessPicture.used())
         surface["metallicRoughnessTexture"] = textureInfo(document, material.roughnessPicture);
-    if (material.normalPicture.used())
+    if (material.normalPicture.used()) {
         json["normalTexture"] = textureInfo(document, material.normalPicture);
+        json["normalTexture"]["scale"] = material.normalScale;
+    }
     json["occlusionTexture"] = {{"index", textureNumber(document, occlusion)}, {"texCoord", 1}};
     if (material.emissive != dvec3(0.0)) {
         json["emissiveFactor"] = asArray(material.emissive);

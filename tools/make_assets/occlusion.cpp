@@ -53,21 +53,22 @@ void smooth(std::vector<double>& values, int width, int height)
         }
 }
 
-void bakeChart(Image& atlas, const DemoObject& object, const Surface& surface, const Chart& chart,
-               const ShadowRays& rays, const std::vector<std::vector<dvec3>>& lights)
+void bakeChart(Image& atlas, const DemoObject& object, const DemoPart& part, const Chart& chart, const ShadowRays& rays,
+               const std::vector<std::vector<dvec3>>& lights)
 {
     std::vector<double> values(static_cast<std::size_t>(chart.width * chart.height));
     parallelFor(static_cast<std::size_t>(chart.height), 1, [&](std::size_t row) {
         const int y = static_cast<int>(row);
         for (int x = 0; x < chart.width; ++x) {
-            const SurfacePoint point =
-                surface.at(static_cast<double>(x) / (chart.width - 1), static_cast<double>(y) / (chart.height - 1));
+            const SurfacePoint point = part.surface.at(static_cast<double>(x) / (chart.width - 1),
+                                                       static_cast<double>(y) / (chart.height - 1));
             const auto set = static_cast<std::size_t>(randomValue(chart.x + x, chart.y + y, 4) * kSets);
             values[static_cast<std::size_t>(y * chart.width + x)] =
                 openness(rays, lights[set], placed(object, point.position), turned(object, point.normal));
         }
     });
-    smooth(values, chart.width, chart.height);
+    for (int pass = 0; pass < part.smoothing; ++pass)
+        smooth(values, chart.width, chart.height);
     for (int y = 0; y < chart.height; ++y)
         for (int x = 0; x < chart.width; ++x)
             *atlas.at(chart.x + x, chart.y + y) =
@@ -83,7 +84,7 @@ Image bakeOcclusion(const DemoScene& scene, const std::vector<std::vector<Chart>
     Image atlas(kAtlasSize, kAtlasSize, 1, 1.0f);
     for (std::size_t i = 0; i < scene.objects.size(); ++i)
         for (std::size_t j = 0; j < scene.objects[i].parts.size(); ++j)
-            bakeChart(atlas, scene.objects[i], scene.objects[i].parts[j].surface, charts[i][j], rays, lights);
+            bakeChart(atlas, scene.objects[i], scene.objects[i].parts[j], charts[i][j], rays, lights);
     return atlas;
 }
 

@@ -64,11 +64,11 @@ dvec3 softBoxRadiance(const SoftBox& box, const dvec3& direction)
 dvec3 roomRadiance(const dvec3& direction)
 {
     const double height = direction.y;
-    const dvec3 wall = glm::mix(dvec3(0.40, 0.40, 0.42), dvec3(0.13, 0.14, 0.16), smoothStep(0.0, 0.9, height));
-    const dvec3 floor = glm::mix(dvec3(0.42, 0.38, 0.34), dvec3(0.24, 0.21, 0.18), smoothStep(0.0, 0.9, -height));
+    const dvec3 wall = glm::mix(dvec3(0.62, 0.59, 0.56), dvec3(0.20, 0.20, 0.21), smoothStep(0.0, 0.9, height));
+    const dvec3 floor = glm::mix(dvec3(0.60, 0.52, 0.44), dvec3(0.36, 0.30, 0.24), smoothStep(0.0, 0.9, -height));
     const dvec3 room = glm::mix(floor, wall, smoothStep(-0.12, 0.12, height));
-    // The back of the room, which the camera sees, is darker than the side it stands on.
-    return room * (0.75 + 0.25 * direction.z);
+    // The side that the camera stands on is the brighter one: polished metal that faces the camera mirrors it.
+    return room * (0.85 + 0.4 * direction.z + 0.9 * std::max(direction.z, 0.0) * direction.z);
 }
 
 } // namespace
