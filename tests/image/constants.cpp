@@ -1,0 +1,18 @@
+// The reference repeats the shaders' documented guards in double.
+#include "shared/constants.h"
+#include "reference/material_point.h"
+#include "reference/punctual_light.h"
+
+#include <gtest/gtest.h>
+
+namespace torrance::test {
+namespace {
+
+TEST(Constants, ReferenceAndDeviceShareTheirGuards)
+{
+    EXPECT_EQ(static_cast<float>(kMinNoV), shared::kMinNoV);
+    EXPECT_EQ(static_cast<float>(kMinLightDistance), shared::kMinLightDistance);
+}
+
+} // namespace
+} // namespace torrance::test
