@@ -13,7 +13,7 @@ namespace torrance {
 namespace {
 
 /// Largest ratio of a node's side to the kernel's scale at its place. The error of taking a node as a point falls with
-/// the square; at this ratio prefiltered levels are within 0.5 % of the full sum
+/// the square; at this ratio prefiltered levels are within 1 % of the full sum
 /// (tests/unit/prepare/environment_maps.cpp).
 constexpr float kOpening = 0.4f;
 /// Below this a node is a point: it only keeps a kernel's division by the spread finite.
