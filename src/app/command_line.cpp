@@ -1,5 +1,6 @@
 #include "app/command_line.h"
 
+#include "app/driver_text.h"
 #include "app/version.h"
 #include "core/log.h"
 #include "core/nearest_name.h"
@@ -150,7 +151,7 @@ const Command* parse(CLI::App& program, std::vector<std::string> arguments, cons
         writeStandardOutput(program.help()); // of the command, where one was named
         return nullptr;
     } catch (const CLI::CallForVersion&) {
-        writeStandardOutput(versionText() + "\n");
+        writeStandardOutput(versionText() + "\n" + driverText());
         return nullptr;
     } catch (const CLI::ParseError& error) {
         throw betterError(program, commands, error);

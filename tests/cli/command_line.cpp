@@ -14,6 +14,15 @@ TEST(CommandLine, VersionNamesTheBuild)
     EXPECT_EQ(outcome.errors, "");
 }
 
+TEST(CommandLine, VersionNamesTheVulkanDriver)
+{
+    EXPECT_NE(runTorrance({"--version"}).output.find("\nVulkan 1."), std::string::npos);
+    const Outcome without =
+        runTorrance({"--version"}, {"VK_DRIVER_FILES=/nonexistent", "VK_ICD_FILENAMES=/nonexistent"});
+    EXPECT_EQ(without.exitCode, 0) << "the version can be asked for on any machine";
+    EXPECT_NE(without.output.find("\nVulkan: no "), std::string::npos) << without.output;
+}
+
 TEST(CommandLine, NoCommandIsAUsageError)
 {
     const Outcome outcome = runTorrance({});
