@@ -20,6 +20,7 @@
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <cstdio>
+#include <unistd.h>
 
 namespace torrance {
 namespace {
@@ -114,9 +115,24 @@ dvec3 parseColor(const std::string& text)
     return color;
 }
 
+// A picture that does not fit is refused before it brings the machine down: on a software driver every target is
+// ordinary memory. Counted are the targets (colour, sum, depth, layers), one copy for reading back and one for writing.
+void checkMemory(const ivec2& size, const Options& o)
+{
+    const double colorTargets = (o.samples > 1 ? 2.0 : 1.0) + (o.layers.empty() ? 0.0 : double(kLayerTargets));
+    const double bytes = double(size.x) * size.y * (16.0 * (colorTargets + 2.0) + 4.0);
+    const double available = double(sysconf(_SC_PHYS_PAGES)) * double(sysconf(_SC_PAGE_SIZE));
+    if (bytes > available)
+        throw usageError("--resolution " + o.resolution + " needs " +
+                             std::to_string(static_cast<long>(std::ceil(bytes / 0x1p30))) +
+                             " GiB, more than this machine has",
+                         "choose a smaller picture");
+}
+
 Settings settingsOf(const Options& o)
 {
     const ivec2 size = parseResolution(o.resolution);
+    checkMemory(size, o);
     Settings settings = {.methods = chooseMethods(o.methods),
                          .width = size.x,
                          .height = size.y,
@@ -218,6 +234,8 @@ void reportPhases(const Phases& phases)
         std::snprintf(part, sizeof part, "%s%s %.0f ms", text.empty() ? "" : ", ", name.c_str(), seconds * 1000.0);
         text += part;
     }
+    if (peopleAreWatching() && logLevel() != LogLevel::verbose)
+        std::fprintf(stderr, "%s\n", text.c_str());
     logInfo("phases: " + text);
 }
 

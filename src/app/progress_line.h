@@ -1,10 +1,13 @@
-// One line on a terminal that says how far the work is. Silent where standard error is none, or asked to be quiet.
+// How far the work is: one line that changes on a terminal, a line a step with --verbose elsewhere, nothing otherwise.
 #pragma once
 
 #include <chrono>
 #include <string>
 
 namespace torrance {
+
+/// Standard error is a terminal, and quiet was not asked for: people are watching.
+bool peopleAreWatching();
 
 class ProgressLine
 {
@@ -19,7 +22,7 @@ public:
 
 private:
     std::string label;
-    bool enabled;
+    bool terminal;
     bool shown = false;
     std::chrono::steady_clock::time_point start;
 };
