@@ -13,7 +13,21 @@ vec4 directionalAlbedo(float NoV, float perceptualRoughness)
 #ifdef ENVIRONMENT_LIGHT
 #include "environment/prefiltered.glsl"
 layout(set = 0, binding = kBindEnvironmentSpecular) uniform samplerCube environmentSpecular;
+#ifdef IRRADIANCE_SH9
+#include "environment/irradiance_sh9.glsl"
+#else
 layout(set = 0, binding = kBindEnvironmentDiffuse) uniform samplerCube environmentDiffuse;
+#endif
+
+// Irradiance / pi of a surface with unit normal n, in the environment's axes.
+vec3 irradianceOverPi(vec3 n)
+{
+#ifdef IRRADIANCE_SH9
+    return irradianceSh9(frame.irradianceHarmonics, n);
+#else
+    return textureLod(environmentDiffuse, n, 0.0).rgb;
+#endif
+}
 
 vec3 environmentLight(Surface s, float alpha, vec4 albedo)
 {
@@ -31,7 +45,7 @@ vec3 environmentLight(Surface s, float alpha, vec4 albedo)
     vec3 specular = prefilteredRadiance(environmentSpecular, r, alpha, frame.environmentLastLevel) * lobe;
     // What the dielectric interface lets through: (1 - F) averaged over the light directions, w = (1/pi) int (1-VoH)^5 NoL.
     vec3 body = s.baseColor * ((1.0 - s.metallic) * (1.0 - kDielectricF0) * (1.0 - albedo.z));
-    vec3 diffuse = textureLod(environmentDiffuse, n, 0.0).rgb * body;
+    vec3 diffuse = irradianceOverPi(n) * body;
     return (specular + diffuse) * (s.occlusion * frame.environmentIntensity);
 }
 #endif

@@ -27,6 +27,7 @@ struct Frame
     float environmentIntensity;
     float environmentLastLevel; // of the prefiltered chain
     vec4 backgroundColor;       // premultiplied
+    vec3 irradianceHarmonics[9]; // irradiance / pi in shBasis's order, for environment_diffuse sh9
     float panoramaLevel;        // mip of the panorama that has about one texel a pixel
 };
 

@@ -5,6 +5,7 @@
 #include "gpu/commands.h"
 #include "passes/light_cubes.h"
 #include "prepare/dfg_table.h"
+#include "prepare/irradiance.h"
 #include "prepare/panorama.h"
 
 namespace torrance {
@@ -104,7 +105,10 @@ EnvironmentImages EnvironmentStore::get(const Scene& scene, const ShadingPlan& p
         if (plan.environmentLight) {
             const LightCubes& light = lightCubes(radiance, content);
             images.specular = &light.specular;
-            images.diffuse = &light.diffuse;
+            if (plan.settings.methods.environmentDiffuse->id == "sh9")
+                images.harmonics = irradianceHarmonics(radiance);
+            else
+                images.diffuse = &light.diffuse;
         }
         if (plan.panorama)
             images.panorama = &panorama(radiance, content);

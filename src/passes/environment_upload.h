@@ -6,6 +6,7 @@
 #include "gpu/image.h"
 #include "plan/shading_plan.h"
 
+#include <array>
 #include <filesystem>
 #include <map>
 #include <optional>
@@ -18,7 +19,8 @@ namespace torrance {
 struct EnvironmentImages
 {
     const gpu::DeviceImage* specular = nullptr; // cube, prefiltered chain
-    const gpu::DeviceImage* diffuse = nullptr;  // cube, irradiance / pi
+    const gpu::DeviceImage* diffuse = nullptr;  // cube, irradiance / pi; or, for the method sh9,
+    std::array<vec3, 9> harmonics = {};         // the same as nine harmonics
     const gpu::DeviceImage* panorama = nullptr; // lat-long, with mips
     const gpu::DeviceImage* dfg = nullptr;      // directional albedos
 };

@@ -9,6 +9,7 @@
 #include "scene/camera_view.h"
 #include "shaders/shared/bindings.h"
 
+#include <algorithm>
 #include <array>
 #include <bit>
 
@@ -36,7 +37,9 @@ ViewBuffers makeViewBuffers(const gpu::Device& device, const DeviceScene& scene,
     const auto& environment = scene.environment;
     const int levels = environment.specular ? static_cast<int>(environment.specular->shape.mips) : 0;
     const int panoramaWidth = environment.panorama ? static_cast<int>(environment.panorama->shape.width) : 0;
-    const std::vector frames = {makeFrame(scene.scene, scene.plan, camera, offset, levels, panoramaWidth)};
+    shared::Frame frame = makeFrame(scene.scene, scene.plan, camera, offset, levels, panoramaWidth);
+    std::ranges::copy(environment.harmonics, frame.irradianceHarmonics);
+    const std::vector frames = {frame};
     const dvec3 eye = cameraPosition(camera);
     return {.frame = gpu::makeBuffer(device, bytesOf(frames), kUsage, "frame"),
             .instances =

@@ -64,6 +64,8 @@ std::string selectedText(const ShadingPlan& plan, const ShaderKey& key)
     define(text, "LIT", lit);
     define(text, "PUNCTUAL_LIGHTS", lit && !plan.lights.empty());
     define(text, "ENVIRONMENT_LIGHT", lit && plan.environmentLight);
+    define(text, "IRRADIANCE_SH9",
+           lit && plan.environmentLight && plan.settings.methods.environmentDiffuse->id == "sh9");
     define(text, "DFG_TABLE", lit && (plan.environmentLight || (key.compensates && !plan.lights.empty())));
     define(text, "COMPENSATES", key.compensates);
     defineUv(text, key.baseColor, "BASE_COLOR_UV", "inBaseColorUv");

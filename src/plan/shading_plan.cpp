@@ -1,5 +1,6 @@
 #include "plan/shading_plan.h"
 
+#include "core/error.h"
 #include "plan/compensation.h"
 #include "plan/light_plan.h"
 
@@ -230,6 +231,17 @@ void Planner::planSurfaces()
         plan.batches.push_back(std::move(batch));
 }
 
+// What is tabulated and prefiltered is the lobe of ggx with smith_corr: another lobe would be lit by the wrong one.
+void checkLobe(const ShadingPlan& plan)
+{
+    const brdf::Preset& methods = plan.settings.methods;
+    if (!plan.dfgTable || (methods.distribution->id == "ggx" && methods.visibility->id == "smith_corr"))
+        return;
+    throw usageError("light from the environment and multiple scattering are made for ggx with smith_corr, not for " +
+                         std::string(methods.distribution->id) + " with " + std::string(methods.visibility->id),
+                     "leave them out: --environment none --multiple-scattering none");
+}
+
 void Planner::planLighting()
 {
     bool lit = false, compensates = false;
@@ -254,6 +266,10 @@ void Planner::planLighting()
         plan.remarks.push_back({"environment", "not prefiltered", "no surface is lit"});
     if (hasEnvironment && !plan.panorama)
         plan.remarks.push_back({"environment", "not drawn", "another background was asked for"});
+    checkLobe(plan);
+    if (plan.environmentLight && plan.settings.methods.diffuse->id != "lambert")
+        plan.remarks.push_back({"environment", "its diffuse light is Lambert's",
+                                std::string(plan.settings.methods.diffuse->id) + " has no table"});
     if (!plan.dfgTable)
         plan.remarks.push_back({"directional albedo table", "left out", "no shader reads it"});
 }

@@ -59,6 +59,7 @@ struct ShadingPlan
     Remarks remarks;
 };
 
+/// Throws Error (usage) where methods are combined that no table was made for.
 ShadingPlan makePlan(const Scene& scene, const Settings& settings);
 
 /// The text of selected.glsl for one key: methods and defines.

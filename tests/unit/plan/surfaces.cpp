@@ -1,3 +1,4 @@
+#include "core/error.h"
 #include "scenes.h"
 
 #include <gtest/gtest.h>
@@ -86,6 +87,17 @@ TEST(SurfacePlan, AnEnvironmentThatNothingNeedsIsNotPrepared)
     scene.materials[0].unlit = false;
     EXPECT_TRUE(makePlan(scene, transparent).environmentLight);
     EXPECT_TRUE(makePlan(scene, settings()).panorama);
+}
+
+TEST(SurfacePlan, ALobeWithoutATableIsRefusedWhereItNeedsOne)
+{
+    Scene scene = sceneWith({});
+    Settings beckmann = settings();
+    beckmann.methods.distribution = brdf::findMethod(brdf::Slot::distribution, "beckmann");
+    scene.lights = {light(Light::Kind::directional, 1.0)};
+    EXPECT_NO_THROW(makePlan(scene, beckmann)) << "a punctual light evaluates the lobe itself";
+    scene.environment = Environment{.radiance = Image(2, 1, 3, 1.0f)};
+    EXPECT_THROW(makePlan(scene, beckmann), Error);
 }
 
 TEST(SurfacePlan, DifferentKeysHaveDifferentTexts)
