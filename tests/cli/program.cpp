@@ -44,6 +44,11 @@ Outcome runTorrance(const std::vector<std::string>& arguments, const std::vector
     std::vector<std::string> words = {TORRANCE_BINARY_DIR "/bin/torrance"};
     words.insert(words.end(), arguments.begin(), arguments.end());
     std::vector<std::string> variables = environment; // first: a name that occurs twice is taken from the front
+#ifdef __SANITIZE_ADDRESS__
+    // The driver leaks 112 bytes and is unloaded before the report, so that no suppression can name it. Leaks of the
+    // program's own are looked for by the unit tests.
+    variables.emplace_back("ASAN_OPTIONS=detect_leaks=0");
+#endif
     for (char** variable = environ; *variable != nullptr; ++variable)
         variables.emplace_back(*variable);
 
