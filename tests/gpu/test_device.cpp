@@ -58,6 +58,12 @@ gpu::ShaderLibrary& shaders()
 
 } // namespace torrance::test
 
+// What the leak checker is to pass over: the layer and the driver keep what they allocate until the process ends.
+extern "C" const char* __lsan_default_suppressions()
+{
+    return "leak:libVkLayer_khronos_validation.so\nleak:libvulkan_lvp.so\n";
+}
+
 int main(int argc, char** argv)
 {
     torrance::test::keepLoaded("libvulkan_lvp.so");
