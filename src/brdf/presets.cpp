@@ -24,7 +24,7 @@ Preset gltf()
             .fresnel = known(Slot::fresnel, "schlick"),
             .diffuse = known(Slot::diffuse, "lambert"),
             .multipleScattering = known(Slot::multipleScattering, "none"),
-            .environmentDiffuse = known(Slot::environmentDiffuse, "sh9"),
+            .environmentDiffuse = known(Slot::environmentDiffuse, "irradiance_cube"),
             .environmentSpecular = known(Slot::environmentSpecular, "split_sum"),
             .dfg = known(Slot::dfg, "table")};
 }
