@@ -1,5 +1,6 @@
 #include "app/command_inspect.h"
 
+#include "app/scene_input.h"
 #include "core/log.h"
 #include "core/standard_output.h"
 #include "files/json_write.h"
@@ -34,8 +35,8 @@ Inspected inspect(const std::string& file, const LoadOptions& options)
 {
     Inspected result{file, {}, {}, {}};
     try {
-        result.facts = readFacts(file, options);
-        result.loaded = loadScene(file, options);
+        result.facts = readFacts(sceneFile(file), options);
+        result.loaded = loadScene(sceneFile(file), options);
         result.facts = result.loaded->facts;
     } catch (const Error& error) {
         result.error = error;

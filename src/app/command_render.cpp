@@ -9,6 +9,7 @@
 #include "app/output_options.h"
 #include "app/phases.h"
 #include "app/progress_line.h"
+#include "app/scene_input.h"
 #include "core/data_folder.h"
 #include "core/log.h"
 #include "core/standard_output.h"
@@ -148,11 +149,6 @@ Settings settingsOf(const Options& o)
         settings.backgroundColor = parseColor(o.background);
     }
     return settings;
-}
-
-std::string sceneFile(const std::string& input)
-{
-    return input == "demo" ? (dataFolder() / "assets" / "demo" / "demo.gltf").string() : input;
 }
 
 LoadedScene load(const Options& o, const std::string& input)

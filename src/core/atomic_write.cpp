@@ -110,12 +110,4 @@ void writeFile(const fs::path& path, std::string_view text)
     writeFile(path, std::as_bytes(std::span(text)));
 }
 
-void writeFileThrough(const fs::path& path, const std::function<void(const fs::path&)>& write)
-{
-    checkTarget(path);
-    TemporaryFile temporary(path);
-    write(temporary.name);
-    temporary.renameTo(path);
-}
-
 } // namespace torrance

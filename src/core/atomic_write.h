@@ -3,7 +3,6 @@
 
 #include <cstddef>
 #include <filesystem>
-#include <functional>
 #include <span>
 #include <string_view>
 
@@ -13,10 +12,5 @@ namespace torrance {
 /// `path` keeps what it held, and an Error (cannotWrite) says why. A device or pipe is written to as it is.
 void writeFile(const std::filesystem::path& path, std::span<const std::byte> bytes);
 void writeFile(const std::filesystem::path& path, std::string_view text);
-
-/// The same for libraries that want to write a file by name: `write` fills the temporary file that it is given. Its
-/// name ends in the extension of `path`.
-void writeFileThrough(const std::filesystem::path& path,
-                      const std::function<void(const std::filesystem::path&)>& write);
 
 } // namespace torrance

@@ -1,6 +1,7 @@
 #include "gpu/device.h"
 
 #include "core/error.h"
+#include "gpu/guard.h"
 #include "test_device.h"
 
 #include <gtest/gtest.h>
@@ -32,6 +33,23 @@ TEST(Device, AnUnknownNameIsSaidWithItsExitCode)
         EXPECT_EQ(error.exitCode, ExitCode::noDevice);
         EXPECT_NE(std::string(error.what()).find("no such device"), std::string::npos);
     }
+}
+
+TEST(Device, FailuresAreSaidInOneLineWithTheirExitCode)
+{
+    const auto codeOf = [](auto&& failure) {
+        try {
+            gpu::guarded(test::device(), [&]() -> int { throw failure; });
+        } catch (const Error& error) {
+            EXPECT_NE(std::string(error.what()).find(test::device().description.name), std::string::npos);
+            return error.exitCode;
+        }
+        return ExitCode::success;
+    };
+    EXPECT_EQ(codeOf(vk::OutOfDeviceMemoryError("planted")), ExitCode::deviceFailure);
+    EXPECT_EQ(codeOf(vk::OutOfHostMemoryError("planted")), ExitCode::deviceFailure);
+    EXPECT_EQ(codeOf(vk::DeviceLostError("planted")), ExitCode::deviceFailure);
+    EXPECT_THROW(gpu::guarded(test::device(), []() -> int { throw usageError("planted", ""); }), Error);
 }
 
 } // namespace

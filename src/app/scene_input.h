@@ -1,0 +1,11 @@
+// Scenes as they are named on the command line.
+#pragma once
+
+#include <string>
+
+namespace torrance {
+
+/// The file of an input: `demo` is the built-in scene, anything else a path.
+std::string sceneFile(const std::string& input);
+
+} // namespace torrance
