@@ -14,7 +14,7 @@ phase() { # phase NAME COMMAND...: runs the command and notes how long it took
 
 configure() { cmake --preset release; }
 build() { cmake --build --preset release; }
-render() { build/release/bin/torrance render demo --camera-index 0 --resolution 1280x960 --samples 16 --output demo.png; }
+render() { build/release/bin/torrance render demo --resolution 1280x960 --samples 16 --output demo.png; }
 
 phase packages tools/packages.sh
 phase configure configure

@@ -35,17 +35,29 @@ dvec3 parsePoint(const char* option, const std::string& text)
     return {v[0], v[1], v[2]};
 }
 
-void checkRanges(const CameraOptions& o)
+constexpr double kDefaultFov = 45.0, kDefaultMargin = 0.05;
+
+// Every option that would have no effect is refused: none is silently ignored.
+void checkTogether(const CameraOptions& o)
 {
-    if (!(o.verticalFov > 0.0 && o.verticalFov < 180.0))
-        throw usageError("--fov must lie between 0 and 180 degrees", "45 is the default");
-    if (!(o.margin >= 0.0 && o.margin < 0.5))
-        throw usageError("--margin must be at least 0 and below 0.5", "0.05 is the default");
     if (!o.orbit.empty() && !o.position.empty())
         throw usageError("--orbit and --camera-position exclude each other", "give one of them");
-    if (o.index >= 0 && (!o.orbit.empty() || !o.position.empty() || !o.target.empty()))
+    const bool placed = !o.orbit.empty() || !o.position.empty() || !o.target.empty();
+    if (o.index >= 0 && (placed || o.up || o.verticalFov || o.margin))
         throw usageError("--camera-index takes the camera as it stands in the file",
                          "leave out the other camera options");
+    if (o.margin && (!o.position.empty() || !o.target.empty()))
+        throw usageError("--margin is for fitting the picture to the scene",
+                         "leave it out where the camera has a place");
+}
+
+void checkRanges(const CameraOptions& o)
+{
+    const double fov = o.verticalFov.value_or(kDefaultFov), margin = o.margin.value_or(kDefaultMargin);
+    if (!(fov > 0.0 && fov < 180.0))
+        throw usageError("--fov must lie between 0 and 180 degrees", "45 is the default");
+    if (!(margin >= 0.0 && margin < 0.5))
+        throw usageError("--margin must be at least 0 and below 0.5", "0.05 is the default");
 }
 
 Camera fileCamera(const Scene& scene, int index)
@@ -92,11 +104,12 @@ void declareCameraOptions(CLI::App& app, CameraOptions& options)
 
 Camera chooseCamera(const CameraOptions& o, const Scene& scene, double aspect)
 {
+    checkTogether(o);
     checkRanges(o);
     if (o.index >= 0)
         return fitNearPlane(fileCamera(scene, o.index), scene);
-    const double fov = o.verticalFov * kPi / 180.0;
-    const dvec3 up = parseUp(o.up);
+    const double fov = o.verticalFov.value_or(kDefaultFov) * kPi / 180.0;
+    const dvec3 up = parseUp(o.up.value_or("+Y"));
     const dvec3 target = o.target.empty() ? sceneCenter(scene) : parsePoint("--target", o.target);
     if (!o.position.empty())
         return fitNearPlane(lookAtCamera(parsePoint("--camera-position", o.position), target, up, fov), scene);
@@ -105,13 +118,15 @@ Camera chooseCamera(const CameraOptions& o, const Scene& scene, double aspect)
         orbit = parseNumbers("--orbit", o.orbit, 2, 3);
     const OrbitAngles angles = {.theta = orbit[0] * kPi / 180.0, .phi = orbit[1] * kPi / 180.0, .up = up};
     if (orbit.size() == 3) {
+        if (o.margin)
+            throw usageError("--orbit with a radius leaves --margin without effect", "leave out one of them");
         if (!(orbit[2] > 0.0))
             throw usageError("--orbit: the radius must be above 0", "leave it out to fit the scene");
         return fitNearPlane(orbitCamera(angles, orbit[2], target, fov), scene);
     }
     if (!o.target.empty())
         throw usageError("--target needs a distance", "give --orbit THETA,PHI,RADIUS or --camera-position");
-    return fitCamera(scene, angles, aspect, fov, 2.0 * o.margin);
+    return fitCamera(scene, angles, aspect, fov, 2.0 * o.margin.value_or(kDefaultMargin));
 }
 
 } // namespace torrance

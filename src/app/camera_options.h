@@ -3,6 +3,7 @@
 
 #include "scene/scene.h"
 
+#include <optional>
 #include <string>
 
 namespace CLI {
@@ -13,13 +14,13 @@ namespace torrance {
 
 struct CameraOptions
 {
-    std::string orbit;         // "THETA,PHI" or "THETA,PHI,RADIUS"
-    std::string target;        // "X,Y,Z"
-    std::string position;      // "X,Y,Z"
-    std::string up = "+Y";     // "+Y", "-Z", ... or "X,Y,Z"
-    double verticalFov = 45.0; // degrees
-    double margin = 0.05;      // of the picture, on each side
-    int index = -1;            // of the file's cameras, -1 = none of them
+    std::string orbit;                 // "THETA,PHI" or "THETA,PHI,RADIUS"
+    std::string target;                // "X,Y,Z"
+    std::string position;              // "X,Y,Z"
+    std::optional<std::string> up;     // "+Y" (the default), "-Z", ... or "X,Y,Z"
+    std::optional<double> verticalFov; // degrees, 45
+    std::optional<double> margin;      // of the picture, on each side, 0.05
+    int index = -1;                    // of the file's cameras, -1 = none of them
 };
 
 void declareCameraOptions(CLI::App& app, CameraOptions& options);

@@ -151,6 +151,17 @@ Settings settingsOf(const Options& o)
     return settings;
 }
 
+// The built-in scene is composed for its own camera, which is taken where nothing else was asked for.
+CameraOptions cameraFor(const Options& o, const std::string& input)
+{
+    CameraOptions camera = o.camera;
+    const bool asked = !camera.orbit.empty() || !camera.position.empty() || !camera.target.empty() || camera.up ||
+                       camera.verticalFov || camera.margin;
+    if (isBuiltInScene(input) && !asked && camera.index < 0)
+        camera.index = 0;
+    return camera;
+}
+
 LoadedScene load(const Options& o, const std::string& input)
 {
     LoadOptions options = {.allowExternal = o.allowExternal};
@@ -189,7 +200,7 @@ Json draw(Session& session, const std::string& input, const std::string& output)
     Scene& scene = loaded.scene;
     scene.environment = session.environment;
     const double aspect = double(session.settings.width) / session.settings.height;
-    const Camera camera = chooseCamera(session.options.camera, scene, aspect);
+    const Camera camera = chooseCamera(cameraFor(session.options, input), scene, aspect);
     const ShadingPlan plan = phases.time("plan", [&] { return makePlan(scene, session.settings); });
     if (session.options.explain)
         (output == "-" || session.options.output.pattern == "-") ? logInfo(explain(plan))

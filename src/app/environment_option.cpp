@@ -42,8 +42,12 @@ std::optional<Environment> loadChosenEnvironment(const EnvironmentOptions& optio
         throw usageError("--environment-rotation must be a number", "give degrees");
     if (!(options.intensity >= 0.0) || !std::isfinite(options.intensity))
         throw usageError("--environment-intensity must be 0 or more", "1 is the default");
-    if (options.name == "none")
+    if (options.name == "none") {
+        if (options.rotation != 0.0 || options.intensity != 1.0)
+            throw usageError("--environment none leaves nothing to turn or to scale",
+                             "leave out --environment-rotation and --environment-intensity");
         return std::nullopt;
+    }
     LoadedEnvironment loaded = loadEnvironment(fileOf(options.name));
     for (const std::string& warning : loaded.warnings)
         logWarning(warning);

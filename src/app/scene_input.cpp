@@ -4,9 +4,14 @@
 
 namespace torrance {
 
+bool isBuiltInScene(const std::string& input)
+{
+    return input == "demo";
+}
+
 std::string sceneFile(const std::string& input)
 {
-    return input == "demo" ? (dataFolder() / "assets" / "demo" / "demo.gltf").string() : input;
+    return isBuiltInScene(input) ? (dataFolder() / "assets" / "demo" / "demo.gltf").string() : input;
 }
 
 } // namespace torrance

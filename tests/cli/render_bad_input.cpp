@@ -239,6 +239,10 @@ TEST_F(RenderBadInput, OptionsThatWouldBeIgnored)
     refused("out.png", {"--quality", "50"});
     refused("out.jpg", {"--bits", "16"});
     refused("-", {"--json", "-"});
+    refused("out.png", {"--camera-index", "0", "--fov", "30"});
+    refused("out.png", {"--margin", "0.1", "--camera-position", "0,0,5"});
+    refused("out.png", {"--orbit", "0,90,5", "--margin", "0.1"});
+    refused("out.png", {"--environment", "none", "--environment-rotation", "90"});
     EXPECT_TRUE(folder.names().empty());
 }
 
