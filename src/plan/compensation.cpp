@@ -1,6 +1,7 @@
 #include "plan/compensation.h"
 
 #include "brdf/albedo.h"
+#include "brdf/brdf.h"
 
 #include <algorithm>
 #include <array>
@@ -9,7 +10,6 @@
 namespace torrance {
 namespace {
 
-constexpr double kDielectricF0 = 0.04; // glTF 2.0, Appendix B
 // Gauss-Legendre nodes and weights of order 5 on [0, 1] (Abramowitz & Stegun, table 25.4).
 constexpr std::array kViews = {0.04691007703066802, 0.23076534494715845, 0.5, 0.76923465505284155, 0.95308992296933198};
 constexpr std::array kViewWeights = {0.11846344252809454, 0.23931433524968324, 0.28444444444444444, 0.23931433524968324,
@@ -42,9 +42,9 @@ double compensationGain(const MaterialRange& range)
     double gain = 0;
     for (int c = 0; c < 3; ++c) {
         const double f0 =
-            kDielectricF0 * (1.0 - metallic) + std::clamp(range.greatestBaseColor[c], 0.0, 1.0) * metallic;
+            brdf::kDielectricF0 * (1.0 - metallic) + std::clamp(range.greatestBaseColor[c], 0.0, 1.0) * metallic;
         const double diffuse =
-            (1.0 - metallic) * std::clamp(range.greatestBaseColor[c], 0.0, 1.0) * (1.0 - kDielectricF0);
+            (1.0 - metallic) * std::clamp(range.greatestBaseColor[c], 0.0, 1.0) * (1.0 - brdf::kDielectricF0);
         double added = 0, whole = 0;
         for (std::size_t i = 0; i < kViews.size(); ++i) {
             const brdf::AlbedoTerms& terms = row.terms[i];
