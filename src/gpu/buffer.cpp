@@ -20,6 +20,7 @@ Buffer allocate(const Device& device, vk::DeviceSize size, vk::BufferUsageFlags 
     buffer.handle = std::move(handle);
     buffer.handle.bindMemory(*buffer.memory, 0);
     buffer.mapped = static_cast<std::byte*>(buffer.memory.mapMemory(0, VK_WHOLE_SIZE));
+    device.name(buffer.memory, name);
     device.name(buffer.handle, name);
     return buffer;
 }

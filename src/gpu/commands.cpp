@@ -24,6 +24,7 @@ vk::raii::CommandBuffer allocateBuffer(const Device& device, const vk::raii::Com
 
 Commands::Commands(const Device& d) : device(d), pool(makePool(d)), buffer(allocateBuffer(d, pool))
 {
+    d.name(pool, "frame commands");
     d.name(buffer, "frame commands");
     buffer.begin({.flags = vk::CommandBufferUsageFlagBits::eOneTimeSubmit});
 }
@@ -42,6 +43,7 @@ void Commands::submitAndWait()
 {
     buffer.end();
     const vk::raii::Fence fence(device.handle, vk::FenceCreateInfo{});
+    device.name(fence, "frame fence");
     const vk::CommandBufferSubmitInfo commandInfo = {.commandBuffer = *buffer};
     device.queue.submit2(vk::SubmitInfo2{.commandBufferInfoCount = 1, .pCommandBufferInfos = &commandInfo}, *fence);
     // A software driver may take minutes for a huge picture: there is no time limit to set here.

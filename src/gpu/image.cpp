@@ -44,6 +44,7 @@ DeviceImage makeImage(const Device& device, const ImageShape& shape, vk::ImageUs
          .viewType = shape.cube ? vk::ImageViewType::eCube : vk::ImageViewType::e2D,
          .format = shape.format,
          .subresourceRange = {.aspectMask = image.aspect(), .levelCount = shape.mips, .layerCount = shape.layers}});
+    device.name(image.memory, name);
     device.name(image.handle, name);
     device.name(image.view, name);
     return image;
