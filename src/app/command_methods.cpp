@@ -56,16 +56,17 @@ std::string plainText()
 std::string markdownOfSlot(Slot slot)
 {
     std::string text = fmt::format("\n## {}\n\n", slotName(slot));
-    text += "| method | source | approximates | domain | reciprocal | preset | functions "
-            "|\n|---|---|---|---|---|---|---|\n";
+    text += "| method | source | approximates | domain | reciprocal | gains energy | preset | functions "
+            "|\n|---|---|---|---|---|---|---|---|\n";
     for (const Method& method : allMethods()) {
         if (method.slot != slot)
             continue;
         std::string functions = formulaOf(method).empty() ? "judged by image" : "`" + formulaOf(method) + "`";
         if (!glslOf(method).empty())
             functions += ", `" + glslOf(method) + "`";
-        text += fmt::format("| `{}` | {} | {} | {} | {} | {} | {} |\n", method.id, method.citation, method.approximates,
-                            method.domain, method.reciprocal ? "yes" : "no", presetsOf(method), functions);
+        text += fmt::format("| `{}` | {} | {} | {} | {} | {} | {} | {} |\n", method.id, method.citation,
+                            method.approximates, domainText(method.domain), method.reciprocal ? "yes" : "no",
+                            method.gainsEnergy ? "yes" : "no", presetsOf(method), functions);
     }
     return text;
 }
@@ -89,8 +90,9 @@ Json toJson(const Method& method)
                         {"id", std::string(method.id)},
                         {"citation", std::string(method.citation)},
                         {"approximates", std::string(method.approximates)},
-                        {"domain", std::string(method.domain)},
+                        {"domain", domainText(method.domain)},
                         {"reciprocal", method.reciprocal},
+                        {"gains_energy", method.gainsEnergy},
                         {"formula", formulaOf(method)},
                         {"glsl", glslOf(method)}};
 }

@@ -6,6 +6,7 @@
 
 #include <optional>
 #include <span>
+#include <string>
 #include <string_view>
 #include <variant>
 
@@ -47,14 +48,29 @@ struct NoFormula
 };
 using Formula = std::variant<ScalarFormula, ColorFormula, DfgFormula, CurveFormula, NoFormula>;
 
+/// Where a method may be used: inside, it is finite, not negative, and 32 bits keep it within rounding of its formula.
+/// `torrance stability` measures the same ranges; a test holds the two together.
+struct Domain
+{
+    std::string_view text;       // what the numbers below do not say; "all" where they say everything
+    double leastRoughness = 0.0; // perceptual
+    double greatestRoughness = 1.0;
+    double leastCosine = 0.0; // of NoV and NoL
+    double leastIor = 0.0;
+};
+
+/// For people: "all", "roughness >= 0.23; NoH >= 0", ...
+std::string domainText(const Domain& domain);
+
 struct Method
 {
     Slot slot;
     std::string_view id;           // names the GLSL file, the function <prefix>_<id> and the command-line value
     std::string_view citation;     // with the equation's number
     std::string_view approximates; // what it stands in for; empty: it is the exact form of what it names
-    std::string_view domain;       // where it is valid
-    bool reciprocal;               // claims f(v, l) = f(l, v)
+    Domain domain;
+    bool reciprocal;          // claims f(v, l) = f(l, v)
+    bool gainsEnergy = false; // somewhere in its domain it returns more light than it receives
     Formula formula;
 };
 

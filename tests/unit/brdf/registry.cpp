@@ -38,7 +38,7 @@ TEST(Registry, EveryRowHasWhatADocumentationTableNeeds)
     for (const Method& method : allMethods()) {
         EXPECT_FALSE(method.id.empty());
         EXPECT_GE(method.citation.size(), 10u) << functionName(method) << " needs a citation";
-        EXPECT_FALSE(method.domain.empty()) << functionName(method) << " needs a domain";
+        EXPECT_FALSE(method.domain.text.empty()) << functionName(method) << " needs a domain";
     }
 }
 
