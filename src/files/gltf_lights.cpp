@@ -27,6 +27,21 @@ double atLeastZero(double value, const std::string& item, GltfReport& report)
     return 0.0;
 }
 
+/// extras.radius of a point or spot light: glTF itself gives lights no size.
+double radiusOf(const tinygltf::Light& source, Light::Kind kind, const std::string& item, GltfReport& report)
+{
+    if (!source.extras.IsObject() || !source.extras.Has("radius"))
+        return 0.0;
+    if (kind == Light::Kind::directional) {
+        report.warn(item + "/extras/radius", "is of a directional light, which has no place, and was left out");
+        return 0.0;
+    }
+    const double radius = source.extras.Get("radius").GetNumberAsDouble();
+    if (!(radius >= 0.0))
+        report.fail(item + "/extras/radius", "is below zero", "give a length in metres, or leave it out for a point");
+    return radius;
+}
+
 void setCone(Light& light, const tinygltf::SpotLight& spot, const std::string& item, const GltfReport& report)
 {
     const bool ordered = spot.innerConeAngle >= 0.0 && spot.innerConeAngle < spot.outerConeAngle;
@@ -51,6 +66,7 @@ Light readLight(const tinygltf::Model& model, std::size_t index, const dmat4& wo
     if (source.range < 0.0)
         report.fail(item + "/range", "is not above zero", "leave it out for an unlimited range");
     light.range = source.range;
+    light.radius = radiusOf(source, light.kind, item, report);
     if (light.kind == Light::Kind::spot)
         setCone(light, source.spot, item, report);
 

@@ -30,6 +30,7 @@ enum class Kind
     targets,    // an array of such objects
     object,     // of shape `shape`
     objects,    // an array of them
+    extras,     // the same as an object; of another type, which glTF allows, it counts as empty
     map,        // kept unread: only its names count
 };
 
@@ -189,8 +190,14 @@ constexpr Property kNode[] = {{"name", Kind::text},
 constexpr Property kScene[] = {{"name", Kind::text}, {"nodes", Kind::references, kOptional, "/nodes"}};
 
 constexpr Property kSpot[] = {{"innerConeAngle", Kind::number}, {"outerConeAngle", Kind::number}};
-constexpr Property kLight[] = {{"name", Kind::text},        {"type", Kind::text, kRequired}, numbersOf("color", 3),
-                               {"intensity", Kind::number}, {"range", Kind::number},         objectOf("spot", kSpot)};
+constexpr Property kLightExtras[] = {{"radius", Kind::number}};
+constexpr Property kLight[] = {{"name", Kind::text},
+                               {"type", Kind::text, kRequired},
+                               numbersOf("color", 3),
+                               {"intensity", Kind::number},
+                               {"range", Kind::number},
+                               objectOf("spot", kSpot),
+                               {"extras", Kind::extras, kOptional, nullptr, kLightExtras}};
 constexpr Property kPunctual[] = {objectsOf("lights", kLight)};
 constexpr Property kRootExtensions[] = {objectOf("KHR_lights_punctual", kPunctual)};
 constexpr Property kAnimation[] = {{"name", Kind::text}};
@@ -272,6 +279,8 @@ private:
             return checkAttributes(value, property.target, path);
         case Kind::object:
             return checkObject(value, property.shape, path);
+        case Kind::extras:
+            return value.is_object() ? checkObject(value, property.shape, path) : void(value = json::object());
         case Kind::map:
             return value.is_object() ? void() : fail(path, "is not an object");
         default:

@@ -73,7 +73,8 @@ struct Light
     Kind kind = Kind::directional;
     dvec3 color = dvec3(1.0); // linear
     double intensity = 1.0;
-    double range = 0.0;                      // metres, 0 = unlimited
+    double range = 0.0;  // metres, 0 = unlimited
+    double radius = 0.0; // metres, point and spot: a sphere of even radiance intensity / (pi radius^2); 0 = a point
     double innerConeAngle = 0.0;             // radians
     double outerConeAngle = kPi / 4.0;       // radians
     dvec3 position = dvec3(0.0);             // world

@@ -253,6 +253,30 @@ TEST(GltfNodes, ReadCameras)
     EXPECT_TRUE(contains(broken("/cameras/1/type", "fisheye"), "fisheye"));
 }
 
+TEST(GltfNodes, GiveLightsARadius)
+{
+    const auto lightOf = [](const char* type, const nlohmann::json& radius) {
+        GltfBuilder builder = GltfBuilder::triangle();
+        nlohmann::json light = {{"type", type}, {"extras", {{"radius", radius}, {"maker", "lamp shop"}}}};
+        if (light["type"] == "spot")
+            light["spot"] = nlohmann::json::object();
+        builder.json["extensions"]["KHR_lights_punctual"]["lights"] = {light};
+        builder.json["nodes"][0]["extensions"]["KHR_lights_punctual"]["light"] = 0;
+        return builder;
+    };
+    EXPECT_EQ(load(lightOf("point", 0.25)).scene.lights.at(0).radius, 0.25);
+    EXPECT_EQ(load(lightOf("spot", 2)).scene.lights.at(0).radius, 2.0);
+    EXPECT_EQ(load(lightOf("point", 0)).scene.lights.at(0).radius, 0.0);
+    const LoadedScene sun = load(lightOf("directional", 2));
+    EXPECT_EQ(sun.scene.lights.at(0).radius, 0.0);
+    EXPECT_EQ(warningsAbout(sun, "lights/0/extras/radius: is of a directional light"), 1);
+    EXPECT_TRUE(contains(errorOf(lightOf("point", -1)), "lights/0/extras/radius: is below zero"));
+    EXPECT_TRUE(contains(errorOf(lightOf("point", "wide")), "lights/0/extras/radius: is not a number"));
+    GltfBuilder remark = lightOf("point", 1);
+    remark.json["extensions"]["KHR_lights_punctual"]["lights"][0]["extras"] = "a remark";
+    EXPECT_EQ(load(remark).scene.lights.at(0).radius, 0.0) << "extras may be anything";
+}
+
 TEST(GltfNodes, ReadLights)
 {
     GltfBuilder builder = GltfBuilder::triangle();
