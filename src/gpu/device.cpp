@@ -183,6 +183,11 @@ std::vector<std::string> Device::validationMessages() const
     return validationLog->messages;
 }
 
+bool Device::computes(Precision precision) const
+{
+    return supports(physical, precision);
+}
+
 std::uint32_t Device::memoryType(std::uint32_t allowedTypes, vk::MemoryPropertyFlags wanted,
                                  vk::MemoryPropertyFlags preferred) const
 {

@@ -1,6 +1,7 @@
 // A Vulkan 1.3 device with one queue, chosen by name, number or kind.
 #pragma once
 
+#include "gpu/precision.h"
 #include "gpu/vulkan.h"
 
 #include <memory>
@@ -55,6 +56,8 @@ public:
     }
 
     std::vector<std::string> validationMessages() const;
+    /// Whether shaders may compute in this precision and read it from buffers.
+    bool computes(Precision precision) const;
     std::uint32_t memoryType(std::uint32_t allowedTypes, vk::MemoryPropertyFlags wanted,
                              vk::MemoryPropertyFlags preferred) const;
 

@@ -9,8 +9,8 @@ namespace {
 // One push-descriptor set per pass: bindings are written into the command buffer, no pools to manage.
 constexpr std::array kExtensions = {VK_KHR_PUSH_DESCRIPTOR_EXTENSION_NAME};
 
-using FeatureChain = vk::StructureChain<vk::PhysicalDeviceFeatures2, vk::PhysicalDeviceVulkan12Features,
-                                        vk::PhysicalDeviceVulkan13Features>;
+using FeatureChain = vk::StructureChain<vk::PhysicalDeviceFeatures2, vk::PhysicalDeviceVulkan11Features,
+                                        vk::PhysicalDeviceVulkan12Features, vk::PhysicalDeviceVulkan13Features>;
 
 std::string versionText(std::uint32_t version)
 {
@@ -95,14 +95,31 @@ std::optional<std::uint32_t> graphicsQueueFamily(const vk::raii::PhysicalDevice&
     return std::nullopt;
 }
 
+bool supports(const vk::raii::PhysicalDevice& physical, Precision precision)
+{
+    const auto chain = physical.getFeatures2<vk::PhysicalDeviceFeatures2, vk::PhysicalDeviceVulkan11Features,
+                                             vk::PhysicalDeviceVulkan12Features>();
+    switch (precision) {
+    case Precision::fp16: // computed with, and read from buffers
+        return chain.get<vk::PhysicalDeviceVulkan12Features>().shaderFloat16 &&
+               chain.get<vk::PhysicalDeviceVulkan11Features>().storageBuffer16BitAccess;
+    case Precision::fp64:
+        return chain.get<vk::PhysicalDeviceFeatures2>().features.shaderFloat64;
+    default:
+        return true;
+    }
+}
+
 vk::raii::Device makeDevice(const vk::raii::PhysicalDevice& physical, std::uint32_t queueFamily)
 {
     const float priority = 1.0f;
     const vk::DeviceQueueCreateInfo queueInfo = {
         .queueFamilyIndex = queueFamily, .queueCount = 1, .pQueuePriorities = &priority};
+    const bool half = supports(physical, Precision::fp16);
     const FeatureChain features = {
-        vk::PhysicalDeviceFeatures2{},
-        vk::PhysicalDeviceVulkan12Features{.scalarBlockLayout = true},
+        vk::PhysicalDeviceFeatures2{.features = {.shaderFloat64 = supports(physical, Precision::fp64)}},
+        vk::PhysicalDeviceVulkan11Features{.storageBuffer16BitAccess = half},
+        vk::PhysicalDeviceVulkan12Features{.shaderFloat16 = half, .scalarBlockLayout = true},
         vk::PhysicalDeviceVulkan13Features{.synchronization2 = true, .dynamicRendering = true},
     };
     const vk::DeviceCreateInfo info = {.pNext = &features.get<vk::PhysicalDeviceFeatures2>(),

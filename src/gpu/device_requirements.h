@@ -9,6 +9,8 @@ namespace torrance::gpu {
 
 DeviceDescription describe(const vk::raii::PhysicalDevice& physical);
 std::optional<std::uint32_t> graphicsQueueFamily(const vk::raii::PhysicalDevice& physical);
+bool supports(const vk::raii::PhysicalDevice& physical, Precision precision);
+/// With every precision that the device supports.
 vk::raii::Device makeDevice(const vk::raii::PhysicalDevice& physical, std::uint32_t queueFamily);
 
 } // namespace torrance::gpu

@@ -46,12 +46,21 @@ ShaderLibrary::ShaderLibrary(std::filesystem::path shaderRoot, const std::filesy
 
 CompiledShader ShaderLibrary::get(const std::string& entry, const std::string& selected)
 {
-    const ShaderSource source = gatherSource(root, entry, selected);
+    return get(gather(entry, selected));
+}
+
+ShaderSource ShaderLibrary::gather(const std::string& entry, const std::string& selected) const
+{
+    return gatherSource(root, entry, selected);
+}
+
+CompiledShader ShaderLibrary::get(const ShaderSource& source)
+{
     const ContentHash sourceHash = source.hash();
     const ContentHash key =
         ContentHasher().add(sourceHash.high).add(sourceHash.low).add(shaderCompilerVersion()).finish();
     if (const auto bytes = cache.load(key))
-        if (auto shader = unpacked(*bytes, entry))
+        if (auto shader = unpacked(*bytes, source.entry))
             return std::move(*shader);
     CompiledShader shader = compileShader(source);
     ++compiled;

@@ -17,6 +17,10 @@ public:
     /// `entry` relative to the root, `selected` = the text of selected.glsl.
     CompiledShader get(const std::string& entry, const std::string& selected);
 
+    /// The text of an entry and of all that it includes; get() of it, changed, is another shader.
+    ShaderSource gather(const std::string& entry, const std::string& selected) const;
+    CompiledShader get(const ShaderSource& source);
+
     std::size_t compiledCount() const { return compiled; } // how many were not in the cache
 
 private:

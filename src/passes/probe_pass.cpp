@@ -4,46 +4,27 @@
 #include "gpu/commands.h"
 #include "gpu/guard.h"
 #include "gpu/pipeline.h"
+#include "passes/probe_row.h"
 #include "passes/sampler.h"
 #include "passes/targets.h"
 #include "prepare/dfg_table.h"
 #include "shaders/shared/bindings.h"
-#include "shaders/shared/probe.h"
 
 #include <algorithm>
+#include <bit>
 #include <optional>
 
 namespace torrance {
 namespace {
-
-static_assert(sizeof(shared::ProbeRow) == 36 * sizeof(float), "scalar layout has no padding");
 
 // Rows of one draw: 37 MB of table and 4 MB of target.
 constexpr std::size_t kMostRows = 256 * shared::kProbeWidth;
 
 shared::ProbeRow rounded(const brdf::ShadingPoint& point)
 {
-    const auto f = [](double x) { return static_cast<float>(x); };
-    return {.n = vec3(point.n),
-            .v = vec3(point.v),
-            .l = vec3(point.l),
-            .NoV = f(point.NoV),
-            .NoL = f(point.NoL),
-            .VoL = f(point.VoL),
-            .NoH = f(point.NoH),
-            .VoH = f(point.VoH),
-            .oneLessVoH = f(point.oneLessVoH),
-            .sin2H = f(point.sin2H),
-            .perceptualRoughness = f(point.perceptualRoughness),
-            .alpha = f(point.alpha),
-            .f0 = vec3(point.f0),
-            .f90 = vec3(point.f90),
-            .ior = f(point.ior),
-            .eta = vec3(point.eta),
-            .k = vec3(point.k),
-            .baseColor = vec3(point.baseColor),
-            .metallic = f(point.metallic),
-            .E = f(point.E)};
+    std::array<float, kProbeScalars> floats;
+    std::ranges::transform(probeScalars(point), floats.begin(), [](double x) { return static_cast<float>(x); });
+    return std::bit_cast<shared::ProbeRow>(floats);
 }
 
 // The table of directional albedos as the renderer binds it.
