@@ -35,12 +35,7 @@ const testing::Environment* const kRendererEnd = testing::AddGlobalTestEnvironme
 
 Settings settingsOf(std::string_view preset, int size)
 {
-    Settings settings;
-    settings.methods = *brdf::findPreset(preset);
-    settings.width = size;
-    settings.height = size;
-    settings.background = BackgroundKind::transparent;
-    return settings;
+    return squareSettings(*brdf::findPreset(preset), size);
 }
 
 Picture draw(const Scene& scene, const Camera& camera, const Settings& settings)
@@ -50,45 +45,10 @@ Picture draw(const Scene& scene, const Camera& camera, const Settings& settings)
     return renderer().render(onDevice, camera);
 }
 
-brdf::Preset plannedMethods(const Scene& scene, const Settings& settings, int material)
-{
-    brdf::Preset methods = settings.methods;
-    const ShadingPlan plan = makePlan(scene, settings);
-    if (!plan.materials[static_cast<std::size_t>(material)].compensates)
-        methods.multipleScattering = brdf::findMethod(brdf::Slot::multipleScattering, "none");
-    return methods;
-}
-
 dvec4 pixelOf(const Picture& picture, int x, int y)
 {
     const float* p = picture.color.at(x, y);
     return dvec4(p[0], p[1], p[2], p[3]);
-}
-
-void Worst::note(int px, int py, const dvec3& drawnColor, const dvec3& exactColor, const dvec3& allowedError)
-{
-    for (int c = 0; c < 3; ++c) {
-        const double error = std::abs(drawnColor[c] - exactColor[c]);
-        // A NaN is worse than any number.
-        const double ratio = std::isfinite(error) ? error / allowedError[c] : std::numeric_limits<double>::infinity();
-        if (ratio <= excess)
-            continue;
-        *this = {ratio, px, py, drawnColor, exactColor, allowedError};
-    }
-}
-
-std::string Worst::text() const
-{
-    std::ostringstream out;
-    out.precision(9);
-    const auto color = [&](const char* name, const dvec3& c) {
-        out << ' ' << name << " (" << c.r << ", " << c.g << ", " << c.b << ')';
-    };
-    out << "worst pixel (" << x << ", " << y << "), " << excess << " of what is allowed:";
-    color("drawn", drawn);
-    color("exact", exact);
-    color("allowed", allowed);
-    return out.str();
 }
 
 std::string keepFailure(const std::string& name, const Image& drawn, const Image& exact)
@@ -98,6 +58,16 @@ std::string keepFailure(const std::string& name, const Image& drawn, const Image
     writePicture((folder / (name + "-drawn.exr")).string(), drawn, {}, {});
     writePicture((folder / (name + "-exact.exr")).string(), exact, {}, {});
     return (folder / name).string() + "-{drawn,exact}.exr";
+}
+
+void expectDrawnAsComputed(const std::vector<PictureCase>& cases)
+{
+    for (const PictureCase& c : cases) {
+        const Picture picture = draw(c.scene, c.camera, c.settings);
+        const PictureJudgement judgement = c.judge(c, picture.color);
+        EXPECT_TRUE(judgement.passed()) << c.name << ": " << judgement.fault << ' ' << judgement.worst.text()
+                                        << "; see " << keepFailure(c.name, picture.color, judgement.exact);
+    }
 }
 
 } // namespace torrance::test

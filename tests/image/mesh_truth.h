@@ -29,7 +29,7 @@ struct Agreement
     int compared = 0;
     int coverageErrors = 0; // away from edges: covered in one picture only
     double percentile99 = 0.0;
-    Worst worst; // in units of `tolerance`
+    WorstExcess worst; // in units of `tolerance`
 };
 
 Agreement compareToCast(const Picture& picture, const std::vector<CastPixel>& cast, double tolerance);

@@ -1,25 +1,11 @@
 // Scenes for image tests, made in memory. Lengths in metres.
 #pragma once
 
-#include "scene/scene.h"
+#include "study/analytic_scenes.h"
 
 #include <functional>
 
 namespace torrance::test {
-
-/// A material of factors alone.
-Material plainMaterial(const dvec3& baseColor, double metallic, double perceptualRoughness);
-
-/// One analytic shape, turned and off the world's origin, so that no coordinate is zero by chance. A sphere of radius
-/// 0.8 or a square of half side 0.8, about (0.3, -0.2, 0.5).
-Scene shapeScene(AnalyticShape::Kind kind, const Material& material);
-
-/// One light of each kind that lights shapeScene from the upper right, near enough that its distance matters; the point
-/// light has a range, the spot's cone edge crosses the shape.
-Light testLight(Light::Kind kind);
-
-/// Every texel the same.
-Environment uniformEnvironment(const dvec3& radiance);
 
 /// `width` x `height` texels of `format` from a function of the texel's indices; values in [0, 1] are rounded to code
 /// values.
