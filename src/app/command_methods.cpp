@@ -25,7 +25,7 @@ std::string formulaOf(const Method& method)
 
 std::string glslOf(const Method& method)
 {
-    return hasShadingFunction(method.slot) ? "shaders/" + glslPath(method) : "";
+    return hasShadingFunction(method.slot) || !method.file.empty() ? "shaders/" + glslPath(method) : "";
 }
 
 /// Ids of the presets that use the method: "standard, gltf".

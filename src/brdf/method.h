@@ -2,6 +2,7 @@
 // documentation) reads it from here.
 #pragma once
 
+#include "brdf/light_query.h"
 #include "brdf/shading_point.h"
 
 #include <optional>
@@ -15,16 +16,18 @@ namespace torrance::brdf {
 /// The places of the shading equation that a method can fill.
 enum class Slot
 {
-    distribution,        // D, 1/sr
-    visibility,          // V = G / (4 NoV NoL), 1
-    fresnel,             // F per colour channel
-    diffuse,             // diffuse BRDF per colour channel, 1/sr
-    multipleScattering,  // factor on the specular lobe per colour channel
-    environmentDiffuse,  // irradiance / pi from an environment
-    environmentSpecular, // prefiltered radiance from an environment
-    dfg,                 // directional albedo terms of the specular lobe
-    tone,                // scene-linear to display-linear
-    transfer,            // display-linear to encoded
+    distribution,         // D, 1/sr
+    visibility,           // V = G / (4 NoV NoL), 1
+    fresnel,              // F per colour channel
+    diffuse,              // diffuse BRDF per colour channel, 1/sr
+    multipleScattering,   // factor on the specular lobe per colour channel
+    environmentDiffuse,   // irradiance / pi from an environment
+    environmentSpecular,  // prefiltered radiance from an environment
+    dfg,                  // directional albedo terms of the specular lobe
+    areaLight,            // reflected light of a sphere light
+    specularAntialiasing, // alpha of a pixel's normals
+    tone,                 // scene-linear to display-linear
+    transfer,             // display-linear to encoded
 };
 
 /// Folder, command-line option and probe term of a slot: "distribution", "multiple_scattering", ...
@@ -42,11 +45,18 @@ using ColorFormula = dvec3 (*)(const ShadingPoint&);
 using DfgFormula = dvec3 (*)(double NoV, double perceptualRoughness);
 /// One colour to one colour: tone curves and transfer functions.
 using CurveFormula = dvec3 (*)(const dvec3&);
+/// Irradiance / pi, or what the specular lobe reflects, of light from all directions.
+using EnvironmentFormula = dvec3 (*)(const EnvironmentQuery&);
+/// Radiance towards the viewer that one sphere light causes.
+using AreaFormula = dvec3 (*)(const AreaQuery&);
+/// alpha with the spread of the normals under a pixel in it.
+using FootprintFormula = double (*)(const NormalFootprint&);
 /// A slot that is judged by image, not by a formula of a point.
 struct NoFormula
 {
 };
-using Formula = std::variant<ScalarFormula, ColorFormula, DfgFormula, CurveFormula, NoFormula>;
+using Formula = std::variant<ScalarFormula, ColorFormula, DfgFormula, CurveFormula, EnvironmentFormula, AreaFormula,
+                             FootprintFormula, NoFormula>;
 
 /// Where a method may be used: inside, it is finite, not negative, and 32 bits keep it within rounding of its formula.
 /// `torrance stability` measures the same ranges; a test holds the two together.
@@ -72,6 +82,7 @@ struct Method
     bool reciprocal;          // claims f(v, l) = f(l, v)
     bool gainsEnergy = false; // somewhere in its domain it returns more light than it receives
     Formula formula;
+    std::string_view file = {}; // GLSL below shaders/, of a slot whose functions do not stand in shaders/brdf/<slot>
 };
 
 std::span<const Method> allMethods();
@@ -90,6 +101,8 @@ struct Preset
     const Method* environmentDiffuse;
     const Method* environmentSpecular;
     const Method* dfg;
+    const Method* areaLight;
+    const Method* specularAntialiasing;
 
     const Method* operator[](Slot slot) const; // null for tone and transfer
     const Method*& operator[](Slot slot);      // throws std::out_of_range for tone and transfer

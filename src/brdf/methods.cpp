@@ -1,10 +1,12 @@
 #include "brdf/method.h"
 
+#include "brdf/area_light.h"
 #include "brdf/dfg.h"
 #include "brdf/diffuse.h"
 #include "brdf/distribution.h"
 #include "brdf/fresnel.h"
 #include "brdf/multiple_scattering.h"
+#include "brdf/specular_antialiasing.h"
 #include "brdf/visibility.h"
 #include "image/srgb.h"
 #include "image/tone_curves.h"
@@ -203,6 +205,22 @@ constexpr Method kMethods[] = {
      .domain = {.text = "D ggx with V smith_corr", .leastCosine = 1e-3},
      .reciprocal = false,
      .formula = DfgFormula(&DFG_table)},
+
+    {.slot = Slot::areaLight,
+     .id = "point",
+     .citation = "KHR_lights_punctual: all of a light's intensity comes from its centre",
+     .approximates = "a sphere of even radiance; exact for Lambert's diffuse where the sphere is above the horizon",
+     .domain = {.text = "spheres small beside their distance and beside the lobe"},
+     .reciprocal = true,
+     .formula = AreaFormula(&A_point),
+     .file = "light/punctual.glsl"},
+    {.slot = Slot::specularAntialiasing,
+     .id = "none",
+     .citation = "the surface's own alpha: one normal stands for all that a pixel covers",
+     .approximates = "",
+     .domain = {.text = "surfaces whose normals turn by less than alpha within a pixel"},
+     .reciprocal = true,
+     .formula = FootprintFormula(&AA_none)},
 
     {.slot = Slot::tone,
      .id = "khronos_neutral",

@@ -26,7 +26,9 @@ Preset gltf()
             .multipleScattering = known(Slot::multipleScattering, "none"),
             .environmentDiffuse = known(Slot::environmentDiffuse, "irradiance_cube"),
             .environmentSpecular = known(Slot::environmentSpecular, "split_sum"),
-            .dfg = known(Slot::dfg, "table")};
+            .dfg = known(Slot::dfg, "table"),
+            .areaLight = known(Slot::areaLight, "point"),
+            .specularAntialiasing = known(Slot::specularAntialiasing, "none")};
 }
 
 Preset standard()
@@ -59,6 +61,10 @@ auto* place(P& preset, Slot slot)
         return &preset.environmentSpecular;
     case Slot::dfg:
         return &preset.dfg;
+    case Slot::areaLight:
+        return &preset.areaLight;
+    case Slot::specularAntialiasing:
+        return &preset.specularAntialiasing;
     case Slot::tone:
     case Slot::transfer:
         break; // of the output, not of the shading

@@ -6,6 +6,8 @@ namespace torrance::brdf {
 
 std::string glslPath(const Method& method)
 {
+    if (!method.file.empty())
+        return std::string(method.file);
     return "brdf/" + std::string(slotName(method.slot)) + "/" + std::string(method.id) + ".glsl";
 }
 

@@ -23,13 +23,25 @@ constexpr SlotNames kSlotNames[] = {
     {Slot::environmentDiffuse, "environment_diffuse", "Ed", false},
     {Slot::environmentSpecular, "environment_specular", "Es", false},
     {Slot::dfg, "dfg", "DFG", false},
+    {Slot::areaLight, "area_light", "A", false},
+    {Slot::specularAntialiasing, "specular_antialiasing", "AA", false},
     {Slot::tone, "tone", "tone", false},
     {Slot::transfer, "transfer", "transfer", false},
 };
 
 constexpr Slot kSlots[] = {
-    Slot::distribution,       Slot::visibility,          Slot::fresnel, Slot::diffuse, Slot::multipleScattering,
-    Slot::environmentDiffuse, Slot::environmentSpecular, Slot::dfg,     Slot::tone,    Slot::transfer,
+    Slot::distribution,
+    Slot::visibility,
+    Slot::fresnel,
+    Slot::diffuse,
+    Slot::multipleScattering,
+    Slot::environmentDiffuse,
+    Slot::environmentSpecular,
+    Slot::dfg,
+    Slot::areaLight,
+    Slot::specularAntialiasing,
+    Slot::tone,
+    Slot::transfer,
 };
 
 } // namespace

@@ -1,5 +1,6 @@
 // The reference repeats the shaders' documented guards in double.
 #include "shared/constants.h"
+#include "brdf/area_light.h"
 #include "reference/material_point.h"
 #include "reference/punctual_light.h"
 
@@ -12,6 +13,7 @@ TEST(Constants, ReferenceAndDeviceShareTheirGuards)
 {
     EXPECT_EQ(static_cast<float>(kMinNoV), shared::kMinNoV);
     EXPECT_EQ(static_cast<float>(kMinLightDistance), shared::kMinLightDistance);
+    EXPECT_EQ(brdf::kLeastLightDistance, kMinLightDistance);
 }
 
 } // namespace

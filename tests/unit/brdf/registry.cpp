@@ -81,6 +81,15 @@ TEST(Registry, EveryFileOfASlotHasARow)
     }
 }
 
+TEST(Registry, EveryFileThatARowNamesExists)
+{
+    for (const Method& method : allMethods()) {
+        if (!method.file.empty()) {
+            EXPECT_TRUE(std::filesystem::is_regular_file(kShaders / glslPath(method))) << functionName(method);
+        }
+    }
+}
+
 TEST(Registry, EveryToneCurveHasARowWithItsFormula)
 {
     for (const ToneCurve& curve : allToneCurves()) {
