@@ -17,7 +17,6 @@
 #include "passes/renderer.h"
 
 #include <CLI/CLI.hpp>
-#include <cstdio>
 
 namespace torrance {
 namespace {
@@ -134,27 +133,6 @@ Json draw(Session& session, const std::string& input, const std::string& output)
                         {"samples", session.settings.samples},
                         {"triangles", loaded.facts.triangles},
                         {"warnings", Json::Array(loaded.warnings.begin(), loaded.warnings.end())}};
-}
-
-Json phasesAsJson(const Phases& phases)
-{
-    Json::Object object;
-    for (const auto& [name, seconds] : phases.all())
-        object.emplace_back(name, seconds);
-    return object;
-}
-
-void reportPhases(const Phases& phases)
-{
-    std::string text;
-    for (const auto& [name, seconds] : phases.all()) {
-        char part[64];
-        std::snprintf(part, sizeof part, "%s%s %.0f ms", text.empty() ? "" : ", ", name.c_str(), seconds * 1000.0);
-        text += part;
-    }
-    if (peopleAreWatching() && logLevel() != LogLevel::verbose)
-        std::fprintf(stderr, "%s\n", text.c_str());
-    logInfo("phases: " + text);
 }
 
 ExitCode run(const Options& options, const GlobalOptions& global)

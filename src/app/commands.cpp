@@ -5,13 +5,15 @@
 #include "app/command_inspect.h"
 #include "app/command_methods.h"
 #include "app/command_probe.h"
+#include "app/command_reference.h"
 #include "app/command_render.h"
 
 namespace torrance {
 
 std::vector<Command> allCommands()
 {
-    return {renderCommand(), inspectCommand(), compareCommand(), methodsCommand(), probeCommand(), devicesCommand()};
+    return {renderCommand(),  referenceCommand(), inspectCommand(), compareCommand(),
+            methodsCommand(), probeCommand(),     devicesCommand()};
 }
 
 } // namespace torrance

@@ -1,6 +1,8 @@
 // How long the parts of a command take, on the wall.
 #pragma once
 
+#include "files/json_write.h"
+
 #include <chrono>
 #include <string>
 #include <utility>
@@ -40,5 +42,11 @@ private:
 
     std::vector<std::pair<std::string, double>> list;
 };
+
+/// Seconds by the phase's name.
+Json phasesAsJson(const Phases& phases);
+
+/// For whoever is watching, and with --verbose.
+void reportPhases(const Phases& phases);
 
 } // namespace torrance

@@ -1,0 +1,239 @@
+#include "app/command_reference.h"
+
+#include "app/camera_options.h"
+#include "app/environment_option.h"
+#include "app/layer_output.h"
+#include "app/method_options.h"
+#include "app/option_value.h"
+#include "app/output_options.h"
+#include "app/phases.h"
+#include "app/picture_options.h"
+#include "app/progress_line.h"
+#include "app/scene_input.h"
+#include "brdf/brdf.h"
+#include "core/error.h"
+#include "core/log.h"
+#include "files/json_write.h"
+#include "reference/reference_picture.h"
+
+#include <CLI/CLI.hpp>
+#include <cmath>
+#include <limits>
+
+namespace torrance {
+namespace {
+
+struct Options
+{
+    std::vector<std::string> inputs;
+    int directions = 256;
+    std::optional<double> targetError;
+    std::optional<int> maxDirections;
+    int pixelSamples = 1;
+    std::string choice = "combined";
+    SceneOptions scene;
+    PictureOptions picture;
+    CameraOptions camera;
+    EnvironmentOptions environment;
+    MethodOptions methods;
+    OutputOptions output;
+};
+
+constexpr int kMaxDirections = 1 << 24;
+constexpr int kMaxPixelSamples = 4096;
+constexpr int kDefaultMostDirections = 1 << 16;
+
+void declareSampling(CLI::App& app, Options& o)
+{
+    const char* group = "Sampling";
+    app.add_option("--samples", o.directions,
+                   "Directions into the environment per surface point, rounded up to a multiple of 64 (default 256)")
+        ->group(group)
+        ->check(CLI::Range(1, kMaxDirections));
+    app.add_option(
+           "--target-error", o.targetError,
+           "Double a pixel's directions until half its 95 % interval is below this share of the pixel and 1 % of "
+           "the mean pixel together")
+        ->group(group)
+        ->type_name("E");
+    app.add_option("--max-samples", o.maxDirections, "Where --target-error stops doubling (default 65536)")
+        ->group(group)
+        ->check(CLI::Range(1, kMaxDirections));
+    app.add_option("--pixel-samples", o.pixelSamples,
+                   "Places in a pixel, by the reconstruction filter: what --samples is to render (default 1)")
+        ->group(group)
+        ->check(CLI::Range(1, kMaxPixelSamples));
+    addChoice(app, "--directions", o.choice, {"combined", "brdf", "environment"},
+              "Where directions are drawn from: combined (default), or one kind alone, as a check of the other")
+        ->group(group);
+}
+
+void declare(CLI::App& app, Options& o)
+{
+    app.add_option("inputs", o.inputs, "Scenes: .gltf or .glb; 'demo' is the built-in one")
+        ->required()
+        ->type_name("FILE...");
+    declareOutputOptions(app, o.output);
+    declarePictureOptions(app, o.picture);
+    declareSampling(app, o);
+    declareSceneOptions(app, o.scene);
+    declareCameraOptions(app, o.camera);
+    declareEnvironmentOptions(app, o.environment);
+    declareMethodOptions(app, o.methods);
+}
+
+int wholeRounds(int directions)
+{
+    return (directions + kDirectionsPerRound - 1) / kDirectionsPerRound * kDirectionsPerRound;
+}
+
+std::optional<dvec4> backgroundOf(const PictureOptions& options)
+{
+    const Background background = chosenBackground(options);
+    if (background.kind == BackgroundKind::environment)
+        return std::nullopt;
+    return background.kind == BackgroundKind::transparent ? dvec4(0.0) : dvec4(background.color, 1.0);
+}
+
+void checkTarget(const Options& o)
+{
+    if (o.targetError && !(*o.targetError > 0.0 && std::isfinite(*o.targetError)))
+        throw usageError("--target-error must be above 0", "0.01 is one per cent");
+    if (o.maxDirections && !o.targetError)
+        throw usageError("--max-samples is the end of --target-error, which was not given",
+                         "give --target-error, or the number with --samples");
+    if (o.targetError && o.maxDirections.value_or(kDefaultMostDirections) < o.directions)
+        throw usageError("--max-samples is below --samples", "--samples is what every pixel gets at least");
+}
+
+ReferenceSettings settingsOf(const Options& o)
+{
+    checkTarget(o);
+    const ivec2 size = chosenSize(o.picture);
+    checkMemory(o.picture, 2 * 8 * sizeof(float)); // colour, variance, directions; once more for writing
+    ReferenceSettings settings;
+    settings.methods = chooseMethods(o.methods);
+    brdf::requireWholeBrdf(settings.methods);
+    settings.width = size.x;
+    settings.height = size.y;
+    settings.pixelSamples = o.pixelSamples;
+    settings.directions = wholeRounds(o.directions);
+    settings.targetError = o.targetError;
+    settings.maxDirections = wholeRounds(o.maxDirections.value_or(kDefaultMostDirections));
+    settings.background = backgroundOf(o.picture);
+    settings.choice = o.choice == "brdf"          ? DirectionChoice::brdf
+                      : o.choice == "environment" ? DirectionChoice::environment
+                                                  : DirectionChoice::combined;
+    return settings;
+}
+
+// What rays do not meet is said, for render draws it.
+void warnOfWhatIsLeftOut(const Scene& scene, const std::string& input)
+{
+    std::size_t count = 0;
+    for (const Instance& instance : scene.instances)
+        count += scene.primitives[static_cast<std::size_t>(instance.primitive)].topology != Topology::triangles;
+    if (count > 0)
+        logWarning(input + ": " + std::to_string(count) + " primitives of points or lines are left out");
+}
+
+Picture pictureOf(ReferencePicture&& reference)
+{
+    return {.color = std::move(reference.color),
+            .layers = {{"variance", {"R", "G", "B"}, std::move(reference.variance)},
+                       {"directions", {"V"}, std::move(reference.directions)}}};
+}
+
+/// How precise a picture is: over its pixels, half the 95 % interval against |c|_1.
+Json::Object precisionOf(const ReferencePicture& picture)
+{
+    double widths = 0.0, norms = 0.0, directions = 0.0;
+    for (std::size_t i = 0; i < picture.directions.texels.size(); ++i) {
+        const float* c = picture.color.texels.data() + 4 * i;
+        const float* v = picture.variance.texels.data() + 3 * i;
+        directions += static_cast<double>(picture.directions.texels[i]);
+        if (picture.directions.texels[i] > 0.0f) {
+            widths += halfWidth95(dvec3(v[0], v[1], v[2]));
+            norms += static_cast<double>(c[0] + c[1] + c[2]);
+        }
+    }
+    return {{"directions", directions}, {"mean_half_width_95", norms > 0.0 ? widths / norms : 0.0}};
+}
+
+struct Session
+{
+    const Options& options;
+    Phases phases;
+    ReferenceSettings settings;
+    std::optional<Environment> environment;
+
+    explicit Session(const Options& o)
+        : options(o), settings(settingsOf(o)),
+          environment(phases.time("environment", [&] { return loadChosenEnvironment(o.environment); }))
+    {
+    }
+};
+
+ReferencePicture compute(Session& session, const std::string& input, const Scene& scene, const Camera& camera)
+{
+    const PixelEstimator estimator(scene, camera, session.settings);
+    ReferencePicture picture = emptyReference(session.settings.width, session.settings.height);
+    ProgressLine progress(input);
+    const ReferenceWatch watch = {
+        .tileDone = [&](const ReferencePicture&, std::size_t done,
+                        std::size_t all) { progress.show(static_cast<int>(done), static_cast<int>(all)); },
+        .stop = [] { return false; }};
+    completeReference(estimator, session.settings, picture, watch);
+    return picture;
+}
+
+Json draw(Session& session, const std::string& input, const std::string& output)
+{
+    Phases& phases = session.phases;
+    LoadedScene loaded = phases.time("load", [&] { return loadChosenScene(session.options.scene, input); });
+    Scene& scene = loaded.scene;
+    scene.environment = session.environment;
+    warnOfWhatIsLeftOut(scene, input);
+    const double aspect = double(session.settings.width) / session.settings.height;
+    const Camera camera = chooseCamera(cameraOptionsFor(session.options.camera, input), scene, aspect);
+    ReferencePicture picture = phases.time("integrate", [&] { return compute(session, input, scene, camera); });
+    Json::Object result = precisionOf(picture);
+    const bool exr = imageFormatOf(output) == ImageFormat::exr;
+    const auto files = phases.time("write", [&] {
+        return writeWithLayers(output, pictureOf(std::move(picture)), exr ? "all" : "",
+                               writeSettings(session.options.output));
+    });
+    result.emplace_back("input", input);
+    result.emplace_back("output", output);
+    result.emplace_back("files", Json::Array(files.begin(), files.end()));
+    result.emplace_back("width", session.settings.width);
+    result.emplace_back("height", session.settings.height);
+    return result;
+}
+
+ExitCode run(const Options& options, const GlobalOptions& global)
+{
+    const std::vector<std::string> outputs = outputNames(options.output, options.inputs);
+    if (global.json == "-" && options.output.pattern == "-")
+        throw usageError("--output and --json both name standard output", "give one of them a file");
+    Session session(options);
+    Json::Array pictures;
+    for (std::size_t i = 0; i < outputs.size(); ++i) {
+        pictures.push_back(draw(session, options.inputs[i], outputs[i]));
+        if (outputs[i] != "-")
+            logInfo("wrote " + outputs[i]);
+    }
+    reportPhases(session.phases);
+    writeJson(global.json, Json::Object{{"pictures", pictures}, {"seconds", phasesAsJson(session.phases)}});
+    return ExitCode::success;
+}
+
+} // namespace
+
+Command referenceCommand()
+{
+    return makeCommand<Options>("reference", "Integrate the shading of scenes on the processor, to a stated confidence",
+                                declare, run);
+}
+
+} // namespace torrance

@@ -1,0 +1,29 @@
+// What is asked of a reference picture.
+#pragma once
+
+#include "brdf/method.h"
+#include "reference/environment_integral.h"
+#include "reference/replicates.h"
+
+#include <optional>
+
+namespace torrance {
+
+/// Directions come in whole turns of every replicate.
+inline constexpr int kDirectionsPerRound = kReplicates * static_cast<int>(kDirectionsPerTurn);
+
+struct ReferenceSettings
+{
+    brdf::Preset methods;
+    int width = 1024;
+    int height = 1024;
+    int pixelSamples = 1;                           // places in the pixel, by the reconstruction filter
+    int directions = 256;                           // of the environment, per surface point: a multiple of
+                                                    // kDirectionsPerRound
+    std::optional<double> targetError;              // adaptive: directions double until a pixel's error is below
+    int maxDirections = 1 << 16;                    // where they stop doubling
+    std::optional<dvec4> background = std::nullopt; // premultiplied; none: the environment
+    DirectionChoice choice = DirectionChoice::combined;
+};
+
+} // namespace torrance
