@@ -33,7 +33,7 @@ vec3 environmentLight(Surface s, float alpha, vec4 albedo)
 {
     vec3 n = frame.environmentFromWorld * s.normal;
     vec3 r = frame.environmentFromWorld * reflect(-s.view, s.normal);
-    // The lobes of glTF's dielectric and metal (shaders/material/brdf.glsl), each under an environment of radiance 1.
+    // The lobes of glTF's dielectric and metal (shaders/brdf/model/gltf.glsl), each under an environment of radiance 1.
     const vec3 dielectricF0 = vec3(kDielectricF0);
     vec3 dielectric = dielectricF0 * albedo.x + albedo.y;
     vec3 metal = s.baseColor * albedo.x + albedo.y;

@@ -10,7 +10,6 @@ vec3 shade(Surface s)
 #else
 
 #include "light/punctual.glsl"
-#include "material/brdf.glsl"
 #include "environment/lighting.glsl"
 
 layout(constant_id = 0) const uint kDirectionalCount = 0;
@@ -23,10 +22,9 @@ layout(set = 0, binding = kBindLights, scalar) readonly buffer LightBuffer { Lig
 // What one light adds: f(v, l) * irradiance, `l` unit, `irradiance` of a surface that faces the light.
 vec3 reflected(Surface s, float alpha, float E, vec3 l, vec3 irradiance)
 {
-    float NoL = dot(s.normal, l);
-    if (NoL <= 0.0)
-        return vec3(0.0);
-    return brdf(s.normal, s.view, l, s.baseColor, s.metallic, s.perceptualRoughness, alpha, E) * irradiance * NoL;
+    BrdfTerms terms = SELECTED_model(
+        BrdfInput(s.normal, s.view, l, s.baseColor, s.metallic, s.perceptualRoughness, alpha, E));
+    return terms.brdf * irradiance * terms.weight;
 }
 
 vec3 punctualLight(Surface s, float alpha, float E)

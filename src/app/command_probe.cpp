@@ -99,7 +99,8 @@ Term chooseTerm(const Options& options)
     }
     const Method& method = methodOf(*slot, options);
     return {makeProbeTerm(method),
-            {.baseColor = *slot == Slot::diffuse,
+            {.baseColor = *slot == Slot::diffuse || *slot == Slot::model,
+             .metallic = *slot == Slot::model,
              .ior = method.id == "exact_dielectric",
              .conductor = method.id == "exact_conductor"},
             std::string(method.id)};

@@ -169,7 +169,8 @@ struct Session
 
     explicit Session(const Options& o)
         : options(o), settings(settingsOf(o)),
-          environment(phases.time("environment", [&] { return loadChosenEnvironment(o.environment); }))
+          environment(
+              phases.time("environment", [&] { return loadChosenEnvironment(o.environment, settings.methods); }))
     {
     }
 };

@@ -96,7 +96,8 @@ struct Session
 
     Session(const Options& o, const GlobalOptions& global)
         : options(o), settings(settingsOf(o)),
-          environment(phases.time("environment", [&] { return loadChosenEnvironment(o.environment); })),
+          environment(
+              phases.time("environment", [&] { return loadChosenEnvironment(o.environment, settings.methods); })),
           device(phases.time("device", [&] { return openDevice(o.device, global); })),
           shaders(dataFolder() / "shaders", cacheFolder(global)), renderer(device, shaders, cacheFolder(global))
     {

@@ -36,22 +36,24 @@ void declareEnvironmentOptions(CLI::App& app, EnvironmentOptions& options)
     app.add_option("--environment-intensity", options.intensity, "Factor on the environment")->group("Light");
 }
 
-std::optional<Environment> loadChosenEnvironment(const EnvironmentOptions& options)
+std::optional<Environment> loadChosenEnvironment(const EnvironmentOptions& options, const brdf::Preset& methods)
 {
+    const std::string byDefault = methods.environmentSpecular ? "studio" : "none";
+    const std::string& name = options.name.empty() ? byDefault : options.name;
     if (!std::isfinite(options.rotation))
         throw usageError("--environment-rotation must be a number", "give degrees");
     if (!(options.intensity >= 0.0) || !std::isfinite(options.intensity))
         throw usageError("--environment-intensity must be 0 or more", "1 is the default");
-    if (options.name == "none") {
+    if (name == "none") {
         if (options.rotation != 0.0 || options.intensity != 1.0)
-            throw usageError("--environment none leaves nothing to turn or to scale",
+            throw usageError("without an environment there is nothing to turn or to scale",
                              "leave out --environment-rotation and --environment-intensity");
         return std::nullopt;
     }
-    LoadedEnvironment loaded = loadEnvironment(fileOf(options.name));
+    LoadedEnvironment loaded = loadEnvironment(fileOf(name));
     for (const std::string& warning : loaded.warnings)
         logWarning(warning);
-    return Environment{.name = options.name,
+    return Environment{.name = name,
                        .radiance = std::move(loaded.radiance),
                        .rotation = options.rotation * kPi / 180.0,
                        .intensity = options.intensity};

@@ -1,6 +1,7 @@
 #include "app/method_options.h"
 
 #include "app/option_value.h"
+#include "core/error.h"
 
 #include <CLI/CLI.hpp>
 
@@ -25,6 +26,22 @@ std::string optionName(brdf::Slot slot)
     return name;
 }
 
+// A source's model stands for the whole of its preset; the model gltf is that of the other presets.
+brdf::Preset startingPreset(const MethodOptions& options)
+{
+    const brdf::Preset& preset = *brdf::findPreset(options.preset);
+    const auto chosen = options.overrides.find(brdf::Slot::model);
+    if (chosen == options.overrides.end() || chosen->second.empty() || chosen->second == preset.model->id)
+        return preset;
+    if (!brdf::isComposed(preset))
+        throw usageError("the preset " + options.preset + " has a model of its own, and not " + chosen->second,
+                         "leave out --model or --preset");
+    for (const brdf::Preset& other : brdf::allPresets())
+        if (other.model->id == chosen->second)
+            return other;
+    return preset;
+}
+
 } // namespace
 
 void declareMethodOptions(CLI::App& app, MethodOptions& options)
@@ -42,10 +59,16 @@ void declareMethodOptions(CLI::App& app, MethodOptions& options)
 
 brdf::Preset chooseMethods(const MethodOptions& options)
 {
-    brdf::Preset preset = *brdf::findPreset(options.preset);
-    for (const auto& [slot, id] : options.overrides)
-        if (!id.empty())
-            preset[slot] = brdf::findMethod(slot, id);
+    brdf::Preset preset = startingPreset(options);
+    for (const auto& [slot, id] : options.overrides) {
+        if (id.empty() || slot == brdf::Slot::model)
+            continue;
+        if (!preset[slot])
+            throw usageError("the preset " + std::string(preset.id) + " takes no " + optionName(slot) +
+                                 ": its source defines that by itself, or not at all",
+                             "leave it out, or use --preset standard");
+        preset[slot] = brdf::findMethod(slot, id);
+    }
     return preset;
 }
 

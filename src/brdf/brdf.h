@@ -1,6 +1,7 @@
-// The whole BRDF of the glTF 2.0 material, Appendix B, from one method per slot.
+// The whole BRDF of a preset: the terms of its model.
 #pragma once
 
+#include "brdf/brdf_terms.h"
 #include "brdf/method.h"
 
 namespace torrance::brdf {
@@ -9,10 +10,14 @@ namespace torrance::brdf {
 inline constexpr double kDielectricF0 = 0.04;
 inline constexpr double kDielectricIor = 1.5;
 
-/// BRDF in 1/sr per colour channel, without the cosine NoL; 0 where v or l is not above the surface. Reads baseColor,
-/// metallic and what the methods need of the geometry; f0, f90, ior, eta, k and E are set here (E to lobeAlbedo(NoV,
-/// r)). The Fresnel term must be one of f0 (`schlick`): a metal's base colour is a reflectance and gives no index.
-/// Otherwise an Error (usage) says so.
+/// All terms at a point; zero where v or l is not above the surface, but for a source that says otherwise (phong).
+/// Reads baseColor, metallic and what the methods need of the geometry; f0, f90, ior, eta, k and E are set here (E to
+/// lobeAlbedo(NoV, r)). Of the model `gltf` the Fresnel term must be one of f0 (`schlick`): a metal's base colour is a
+/// reflectance and gives no index. Otherwise an Error (usage) says so.
+BrdfTerms evaluateTerms(const Preset& preset, const ShadingPoint& point);
+
+/// BRDF in 1/sr per colour channel: evaluateTerms(...).brdf. What multiplies the light is
+/// evaluateTerms(...).response().
 dvec3 evaluateBrdf(const Preset& preset, const ShadingPoint& point);
 
 /// Throws that Error. Called by everything that builds the whole BRDF from a preset.

@@ -2,6 +2,7 @@
 // documentation) reads it from here.
 #pragma once
 
+#include "brdf/brdf_terms.h"
 #include "brdf/light_query.h"
 #include "brdf/shading_point.h"
 
@@ -16,6 +17,7 @@ namespace torrance::brdf {
 /// The places of the shading equation that a method can fill.
 enum class Slot
 {
+    model,                // how the terms are put together
     distribution,         // D, 1/sr
     visibility,           // V = G / (4 NoV NoL), 1
     fresnel,              // F per colour channel
@@ -51,12 +53,15 @@ using EnvironmentFormula = dvec3 (*)(const EnvironmentQuery&);
 using AreaFormula = dvec3 (*)(const AreaQuery&);
 /// alpha with the spread of the normals under a pixel in it.
 using FootprintFormula = double (*)(const NormalFootprint&);
+struct Preset;
+/// The whole BRDF, of the preset's other methods or of a source's own.
+using ModelFormula = BrdfTerms (*)(const Preset&, const ShadingPoint&);
 /// A slot that is judged by image, not by a formula of a point.
 struct NoFormula
 {
 };
 using Formula = std::variant<ScalarFormula, ColorFormula, DfgFormula, CurveFormula, EnvironmentFormula, AreaFormula,
-                             FootprintFormula, NoFormula>;
+                             FootprintFormula, ModelFormula, NoFormula>;
 
 /// Where a method may be used: inside, it is finite, not negative, and 32 bits keep it within rounding of its formula.
 /// `torrance stability` measures the same ranges; a test holds the two together.
@@ -88,11 +93,13 @@ struct Method
 std::span<const Method> allMethods();
 const Method* findMethod(Slot slot, std::string_view id);
 
-/// One method per slot.
+/// One method per slot. Null where the model brings its own term, or where its source defines no light from an
+/// environment.
 struct Preset
 {
     std::string_view id;
     std::string_view description;
+    const Method* model;
     const Method* distribution;
     const Method* visibility;
     const Method* fresnel;
@@ -108,7 +115,11 @@ struct Preset
     const Method*& operator[](Slot slot);      // throws std::out_of_range for tone and transfer
 };
 
-/// `standard` (the default) and `gltf`.
+/// True for the model `gltf`, which is composed of the preset's methods; false for a source system, which has none in
+/// the slots of D, V, F, diffuse and multiple scattering.
+bool isComposed(const Preset& preset);
+
+/// `standard` (the default), `gltf`, and the source systems.
 std::span<const Preset> allPresets();
 const Preset* findPreset(std::string_view id);
 

@@ -5,6 +5,7 @@
 #include "brdf/diffuse.h"
 #include "brdf/distribution.h"
 #include "brdf/fresnel.h"
+#include "brdf/model.h"
 #include "brdf/multiple_scattering.h"
 #include "brdf/specular_antialiasing.h"
 #include "brdf/visibility.h"
@@ -17,6 +18,22 @@ namespace torrance::brdf {
 namespace {
 
 constexpr Method kMethods[] = {
+    {.slot = Slot::model,
+     .id = "gltf",
+     .citation = "glTF 2.0, Appendix B: dielectric and metal mixed by metallic, from the methods of the other slots",
+     .approximates = "",
+     .domain = {.text = "as its methods"},
+     .reciprocal = true,
+     .formula = ModelFormula(&model_gltf)},
+    {.slot = Slot::model,
+     .id = "ue4_direct",
+     .citation =
+         "source A (docs/sources.md); Karis 2013, eqs. 2 to 4, with alpha = r and denominators of at least 1e-4",
+     .approximates = "",
+     .domain = {.text = "punctual lights"},
+     .reciprocal = true,
+     .formula = ModelFormula(&model_ue4_direct)},
+
     {.slot = Slot::distribution,
      .id = "ggx",
      .citation = "Trowbridge & Reitz 1975; Walter et al. 2007, eq. 33",

@@ -19,6 +19,7 @@ Preset gltf()
 {
     return {.id = "gltf",
             .description = "glTF 2.0, Appendix B to the letter",
+            .model = known(Slot::model, "gltf"),
             .distribution = known(Slot::distribution, "ggx"),
             .visibility = known(Slot::visibility, "smith_corr"),
             .fresnel = known(Slot::fresnel, "schlick"),
@@ -40,11 +41,25 @@ Preset standard()
     return preset;
 }
 
+// A source system: a model that brings all its terms, lit by punctual lights alone.
+Preset source(std::string_view id, std::string_view description, std::string_view model)
+{
+    Preset preset = {};
+    preset.id = id;
+    preset.description = description;
+    preset.model = known(Slot::model, model);
+    preset.areaLight = known(Slot::areaLight, "point"); // their lights have no size
+    preset.specularAntialiasing = known(Slot::specularAntialiasing, "none");
+    return preset;
+}
+
 // The one list of places; Preset's own type decides whether a place may be written.
 template <typename P>
 auto* place(P& preset, Slot slot)
 {
     switch (slot) {
+    case Slot::model:
+        return &preset.model;
     case Slot::distribution:
         return &preset.distribution;
     case Slot::visibility:
@@ -88,9 +103,18 @@ const Method*& Preset::operator[](Slot slot)
     return *found;
 }
 
+bool isComposed(const Preset& preset)
+{
+    return preset.model->id == "gltf";
+}
+
 std::span<const Preset> allPresets()
 {
-    static const Preset presets[] = {standard(), gltf()};
+    static const Preset presets[] = {
+        standard(),
+        gltf(),
+        source("ue4-direct", "source A: textured Cook-Torrance for punctual lights, after Karis 2013", "ue4_direct"),
+    };
     return presets;
 }
 

@@ -15,6 +15,7 @@ struct SlotNames
 };
 
 constexpr SlotNames kSlotNames[] = {
+    {Slot::model, "model", "model", true},
     {Slot::distribution, "distribution", "D", true},
     {Slot::visibility, "visibility", "V", true},
     {Slot::fresnel, "fresnel", "F", true},
@@ -30,17 +31,9 @@ constexpr SlotNames kSlotNames[] = {
 };
 
 constexpr Slot kSlots[] = {
-    Slot::distribution,
-    Slot::visibility,
-    Slot::fresnel,
-    Slot::diffuse,
-    Slot::multipleScattering,
-    Slot::environmentDiffuse,
-    Slot::environmentSpecular,
-    Slot::dfg,
-    Slot::areaLight,
-    Slot::specularAntialiasing,
-    Slot::tone,
+    Slot::model,    Slot::distribution,       Slot::visibility,           Slot::fresnel,
+    Slot::diffuse,  Slot::multipleScattering, Slot::environmentDiffuse,   Slot::environmentSpecular,
+    Slot::dfg,      Slot::areaLight,          Slot::specularAntialiasing, Slot::tone,
     Slot::transfer,
 };
 

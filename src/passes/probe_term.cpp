@@ -52,6 +52,14 @@ ProbeTerm makeTableTerm(brdf::DfgFormula formula)
             .readsTable = true};
 }
 
+// A model is probed as the whole of the preset that it belongs to; the plainest of them for the model gltf.
+const brdf::Preset& presetOf(const brdf::Method& model)
+{
+    if (model.id == "gltf")
+        return *brdf::findPreset("gltf");
+    return *std::ranges::find(brdf::allPresets(), &model, &brdf::Preset::model);
+}
+
 dvec3 valueOf(const brdf::Method& method, const brdf::ShadingPoint& point)
 {
     if (const auto* scalar = std::get_if<brdf::ScalarFormula>(&method.formula))
@@ -63,6 +71,8 @@ dvec3 valueOf(const brdf::Method& method, const brdf::ShadingPoint& point)
 
 ProbeTerm makeProbeTerm(const brdf::Method& method)
 {
+    if (method.slot == Slot::model)
+        return makeBrdfTerm(presetOf(method));
     if (const auto* table = std::get_if<brdf::DfgFormula>(&method.formula))
         return makeTableTerm(*table);
     if (!brdf::hasShadingFunction(method.slot))
@@ -77,11 +87,11 @@ ProbeTerm makeProbeTerm(const brdf::Method& method)
 ProbeTerm makeBrdfTerm(const brdf::Preset& preset)
 {
     return {.formula = [preset](const brdf::ShadingPoint& point) { return brdf::evaluateBrdf(preset, point); },
-            .selected = brdf::selectedGlsl(preset) +
-                        "#include \"material/brdf.glsl\"\n"
-                        "#define PROBE_VALUE brdf(row.n, row.v, row.l, row.baseColor, row.metallic, "
-                        "row.perceptualRoughness, row.alpha, row.E)\n",
-            .readsAlbedo = preset.multipleScattering->id != "none"};
+            .selected =
+                brdf::selectedGlsl(preset) +
+                "#define PROBE_VALUE SELECTED_model(BrdfInput(row.n, row.v, row.l, row.baseColor, row.metallic, "
+                "row.perceptualRoughness, row.alpha, row.E)).brdf\n",
+            .readsAlbedo = brdf::isComposed(preset) && preset.multipleScattering->id != "none"};
 }
 
 ProbeTerm makeAlbedoTerm()

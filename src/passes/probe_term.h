@@ -17,11 +17,11 @@ struct ProbeTerm
     bool readsTable = false;                                 // the device looks up the table of directional albedos
 };
 
-/// A method with a shading function, or the table of slot dfg (scale, bias, w). An Error (usage) for a slot that is
-/// judged by image.
+/// A method with a shading function (of a model: the whole BRDF), or the table of slot dfg (scale, bias, w). An Error
+/// (usage) for a slot that is judged by image.
 ProbeTerm makeProbeTerm(const brdf::Method& method);
 
-/// The whole BRDF of glTF's material, without the cosine.
+/// The whole BRDF of a preset, without the cosine.
 ProbeTerm makeBrdfTerm(const brdf::Preset& preset);
 
 /// E, the directional albedo of the specular lobe with F = 1, looked up in the table.

@@ -75,7 +75,7 @@ std::string selectedText(const ShadingPlan& plan, const ShaderKey& key)
     defineUv(text, key.emissive, "EMISSIVE_UV", "inEmissiveUv");
     if (lit) {
         brdf::Preset methods = plan.settings.methods;
-        if (!key.compensates)
+        if (brdf::isComposed(methods) && !key.compensates)
             methods.multipleScattering = brdf::findMethod(brdf::Slot::multipleScattering, "none");
         text += brdf::selectedGlsl(methods);
     }

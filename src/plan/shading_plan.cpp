@@ -87,7 +87,8 @@ void Planner::planMaterials()
         facts.push_back(texelFacts(image));
     std::vector<Material> materials = scene.materials;
     materials.emplace_back().name = "default";
-    const bool mayCompensate = plan.settings.methods.multipleScattering->id != "none";
+    const bool mayCompensate =
+        brdf::isComposed(plan.settings.methods) && plan.settings.methods.multipleScattering->id != "none";
     for (std::size_t i = 0; i < materials.size(); ++i) {
         const std::string subject =
             "material " + (materials[i].name.empty() ? std::to_string(i) : "'" + materials[i].name + "'");
@@ -231,11 +232,16 @@ void Planner::planSurfaces()
         plan.batches.push_back(std::move(batch));
 }
 
-// What is tabulated and prefiltered is the lobe of ggx with smith_corr: another lobe would be lit by the wrong one.
+// What is tabulated and prefiltered is the lobe of ggx with smith_corr: another lobe would be lit by the wrong one. A
+// source system that says nothing of environments is lit by none.
 void checkLobe(const ShadingPlan& plan)
 {
     const brdf::Preset& methods = plan.settings.methods;
-    if (!plan.dfgTable || (methods.distribution->id == "ggx" && methods.visibility->id == "smith_corr"))
+    if (plan.environmentLight && !methods.environmentSpecular)
+        throw usageError("the preset " + std::string(methods.id) + " defines no light from an environment",
+                         "leave it out: --environment none");
+    if (!plan.dfgTable || !brdf::isComposed(methods) ||
+        (methods.distribution->id == "ggx" && methods.visibility->id == "smith_corr"))
         return;
     throw usageError("light from the environment and multiple scattering are made for ggx with smith_corr, not for " +
                          std::string(methods.distribution->id) + " with " + std::string(methods.visibility->id),
@@ -267,7 +273,8 @@ void Planner::planLighting()
     if (hasEnvironment && !plan.panorama)
         plan.remarks.push_back({"environment", "not drawn", "another background was asked for"});
     checkLobe(plan);
-    if (plan.environmentLight && plan.settings.methods.diffuse->id != "lambert")
+    if (plan.environmentLight && brdf::isComposed(plan.settings.methods) &&
+        plan.settings.methods.diffuse->id != "lambert")
         plan.remarks.push_back({"environment", "its diffuse light is Lambert's",
                                 std::string(plan.settings.methods.diffuse->id) + " has no table"});
     if (!plan.dfgTable)

@@ -12,6 +12,10 @@ namespace {
 
 void requireClosedForm(const brdf::Preset& preset)
 {
+    if (!brdf::isComposed(preset))
+        throw usageError("the exact light of a uniform environment is not known for the preset " +
+                             std::string(preset.id),
+                         "use gltf or standard, or leave out the environment");
     const auto require = [](const brdf::Method* method, std::string_view id) {
         if (method->id != id)
             throw usageError("the exact light of a uniform environment is not known for " + std::string(method->id),
@@ -30,14 +34,13 @@ void requireClosedForm(const brdf::Preset& preset)
 dvec3 shadePunctual(const brdf::Preset& preset, const MaterialPoint& material, const dvec3& view,
                     const LightSample& light)
 {
-    const double NoL = glm::dot(material.normal, light.direction);
-    if (!(NoL > 0.0) || light.irradiance == dvec3(0.0))
+    if (light.irradiance == dvec3(0.0))
         return dvec3(0.0);
     brdf::ShadingPoint point =
         brdf::makeShadingPoint(material.normal, view, light.direction, material.perceptualRoughness);
     point.baseColor = material.baseColor;
     point.metallic = material.metallic;
-    return brdf::evaluateBrdf(preset, point) * light.irradiance * NoL;
+    return brdf::evaluateTerms(preset, point).response() * light.irradiance;
 }
 
 dvec3 shadeFurnace(const brdf::Preset& preset, const MaterialPoint& material, const dvec3& view, const dvec3& radiance)

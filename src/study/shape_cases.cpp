@@ -151,7 +151,7 @@ constexpr int kSize = 48, kCostlySize = 16;
 
 int sizeFor(const brdf::Preset& preset)
 {
-    return preset.multipleScattering->id == "none" ? kSize : kCostlySize;
+    return brdf::isComposed(preset) && preset.multipleScattering->id != "none" ? kCostlySize : kSize;
 }
 
 } // namespace
@@ -186,7 +186,10 @@ std::vector<PictureCase> shapeCasesInUniformLight(AnalyticShape::Kind shape)
 std::vector<PictureCase> presetSpheres(const brdf::Preset& preset)
 {
     std::vector<PictureCase> cases;
-    for (const NamedMaterial& m : materials()) {
+    std::vector<NamedMaterial> chosen = materials();
+    if (!brdf::isComposed(preset)) // where sources have their guards: some cap their D there
+        chosen.push_back({"nearly a mirror", plainMaterial(dvec3(0.2, 0.5, 0.3), 0.0, 0.06)});
+    for (const NamedMaterial& m : chosen) {
         Scene scene = shapeScene(AnalyticShape::Kind::sphere, m.material);
         scene.lights.push_back(testLight(Light::Kind::point));
         cases.push_back(makeCase(std::move(scene), preset, sizeFor(preset), fmt::format("{}, {}", preset.id, m.name)));

@@ -13,7 +13,8 @@ std::vector<PictureCase> shapeCases(AnalyticShape::Kind shape, Light::Kind light
 /// The same in a coloured environment of one radiance.
 std::vector<PictureCase> shapeCasesInUniformLight(AnalyticShape::Kind shape);
 
-/// Smooth and rough spheres of metal and dielectric under a point light, in one preset.
+/// Smooth and rough spheres of metal and dielectric under a point light, in one preset; of a source system, one that is
+/// nearly a mirror as well.
 std::vector<PictureCase> presetSpheres(const brdf::Preset& preset);
 
 } // namespace torrance

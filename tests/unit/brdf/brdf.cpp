@@ -53,8 +53,9 @@ TEST(Brdf, GltfAtBothEndsOfMetallicIsTheSampleImplementationOfAppendixB)
 // multiplies two blends.
 TEST(Brdf, HalfMetalsAreTheMeanOfBothEnds)
 {
-    for (const Preset& preset : allPresets())
+    for (const char* id : {"gltf", "standard"})
         for (ShadingPoint point : gridOfPoints()) {
+            const Preset& preset = *findPreset(id);
             point.baseColor = dvec3(0.9, 0.6, 0.3);
             point.metallic = 0;
             const dvec3 dielectric = evaluateBrdf(preset, point);

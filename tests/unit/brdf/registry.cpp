@@ -4,6 +4,7 @@
 #include "core/error.h"
 #include "image/tone_curves.h"
 
+#include <algorithm>
 #include <filesystem>
 #include <fstream>
 #include <gtest/gtest.h>
@@ -26,7 +27,7 @@ std::string readText(const std::filesystem::path& path)
 // Names of the functions that the text defines: a type at the start of a line, a name, a parenthesis.
 std::vector<std::string> functionsOf(const std::string& text)
 {
-    static const std::regex definition(R"((?:^|\n)(?:float|vec[234]|void|int|bool|mat[34]) (\w+)\()");
+    static const std::regex definition(R"((?:^|\n)(?:float|vec[234]|void|int|bool|mat[34]|BrdfTerms) (\w+)\()");
     std::vector<std::string> names;
     for (std::sregex_iterator it(text.begin(), text.end(), definition), end; it != end; ++it)
         names.push_back((*it)[1]);
@@ -112,7 +113,7 @@ TEST(Preset, HasAMethodOfTheRightSlotEverywhere)
     ASSERT_EQ(allPresets().front().id, "standard") << "the default comes first";
     for (const Preset& preset : allPresets())
         for (const Slot slot : allSlots()) {
-            if (slot == Slot::tone || slot == Slot::transfer)
+            if (slot == Slot::tone || slot == Slot::transfer || (!isComposed(preset) && !preset[slot]))
                 continue;
             ASSERT_NE(preset[slot], nullptr) << preset.id << ' ' << slotName(slot);
             EXPECT_EQ(preset[slot]->slot, slot);
@@ -136,7 +137,30 @@ TEST(Selection, IncludesAndDefinesOneFunctionPerSlot)
 #define SELECTED_diffuse Fd_lambert
 #include "brdf/multiple_scattering/scale.glsl"
 #define SELECTED_multiple_scattering M_scale
+#include "brdf/model/gltf.glsl"
+#define SELECTED_model model_gltf
 )");
+}
+
+// A source's D, G, F and diffuse are part of its model: another in their place would be another system.
+TEST(Preset, OfASourceHasNoMethodsBesideItsModel)
+{
+    for (const Preset& preset : allPresets())
+        for (const Slot slot :
+             {Slot::distribution, Slot::visibility, Slot::fresnel, Slot::diffuse, Slot::multipleScattering})
+            EXPECT_EQ(preset[slot] != nullptr, isComposed(preset)) << preset.id << ' ' << slotName(slot);
+    EXPECT_EQ(selectedGlsl(*findPreset("ue4-direct")), R"(#include "brdf/model/ue4_direct.glsl"
+#define SELECTED_model model_ue4_direct
+)");
+}
+
+TEST(Preset, ExistsForEveryModel)
+{
+    for (const Method& method : allMethods())
+        if (method.slot == Slot::model) {
+            EXPECT_TRUE(std::ranges::any_of(allPresets(), [&](const Preset& p) { return p.model == &method; }))
+                << method.id;
+        }
 }
 
 TEST(Selection, RefusesAFresnelTermThatNeedsAnIndex)

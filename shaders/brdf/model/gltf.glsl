@@ -1,0 +1,39 @@
+// glTF 2.0, Appendix B, from the methods of selected.glsl, which is what includes this file.
+#include "material/brdf_terms.glsl"
+#include "material/half_vector.glsl"
+#include "shared/constants.h"
+
+BrdfTerms model_gltf(BrdfInput x)
+{
+    float NoV = dot(x.n, x.v);
+    float NoL = dot(x.n, x.l);
+    if (NoV <= 0.0 || NoL <= 0.0)
+        return noTerms();
+    HalfVector h = halfVector(x.n, x.v, x.l, NoV, NoL);
+
+    BrdfTerms terms;
+    terms.h = normalize(h.t);
+    terms.D = SELECTED_distribution(h.NoH, h.sin2H, x.alpha);
+    terms.V = SELECTED_visibility(NoV, NoL, h.NoH, h.VoH, x.alpha, x.perceptualRoughness);
+    terms.G = 4.0 * NoV * NoL * terms.V;
+    terms.G1 = 4.0 * NoV * SELECTED_visibility(NoV, 1.0, h.NoH, h.VoH, x.alpha, x.perceptualRoughness);
+    float specular = terms.D * terms.V;
+    vec3 diffuse = SELECTED_diffuse(NoV, NoL, dot(x.v, x.l), h.VoH, x.perceptualRoughness, x.baseColor);
+
+    const vec3 f0 = vec3(kDielectricF0);
+    vec3 F = SELECTED_fresnel(h.VoH, h.oneLessVoH, f0, vec3(1.0), kDielectricIor, vec3(kDielectricIor), vec3(0.0));
+    vec3 body = diffuse * (1.0 - F);
+    vec3 reflected = specular * F * SELECTED_multiple_scattering(f0, x.E);
+    vec3 metalF = SELECTED_fresnel(h.VoH, h.oneLessVoH, x.baseColor, vec3(1.0), kDielectricIor, vec3(kDielectricIor), vec3(0.0));
+    vec3 metal = specular * metalF * SELECTED_multiple_scattering(x.baseColor, x.E);
+
+    // Not mix(): a(1 - m) + b m is a at m = 0 and b at m = 1, to the bit.
+    float m = x.metallic;
+    terms.F0 = f0 * (1.0 - m) + x.baseColor * m;
+    terms.F = F * (1.0 - m) + metalF * m;
+    terms.specular = reflected * (1.0 - m) + metal * m;
+    terms.diffuse = body * (1.0 - m);
+    terms.brdf = (body + reflected) * (1.0 - m) + metal * m;
+    terms.weight = NoL;
+    return terms;
+}

@@ -1,0 +1,36 @@
+// Source A: D with alpha = r, Schlick's G with k = (r + 1)^2 / 8 (Karis 2013, eq. 4), Lambert under (1 - F)(1 - metallic).
+#include "material/brdf_terms.glsl"
+#include "material/half_vector.glsl"
+#include "shared/constants.h"
+
+BrdfTerms model_ue4_direct(BrdfInput x)
+{
+    // The source's own bound of every denominator. That of G1 is at least k >= 1/8, which needs none.
+    const float kLeast = 1e-4;
+    float NoV = dot(x.n, x.v);
+    float NoL = dot(x.n, x.l);
+    if (NoV <= 0.0 || NoL <= 0.0)
+        return noTerms();
+    HalfVector h = halfVector(x.n, x.v, x.l, NoV, NoL);
+
+    float a2 = x.perceptualRoughness * x.perceptualRoughness;
+    float d = h.sin2H + h.NoH * h.NoH * a2; // n.h^2 (r^2 - 1) + 1 with the digits that this order loses
+    float k = (0.125 * x.perceptualRoughness + 0.25) * x.perceptualRoughness + 0.125;
+    vec3 f0 = vec3(kDielectricF0) * (1.0 - x.metallic) + x.baseColor * x.metallic;
+    float grazing = h.oneLessVoH * h.oneLessVoH;
+    grazing *= grazing * h.oneLessVoH;
+
+    BrdfTerms terms;
+    terms.h = normalize(h.t);
+    terms.D = a2 / max(PI * d * d, kLeast);
+    terms.G1 = NoV / (NoV + k * (1.0 - NoV));
+    terms.G = terms.G1 * NoL / (NoL + k * (1.0 - NoL));
+    terms.V = terms.G / max(4.0 * NoV * NoL, kLeast);
+    terms.F0 = f0;
+    terms.F = f0 + (1.0 - f0) * grazing;
+    terms.specular = terms.F * (terms.D * terms.V);
+    terms.diffuse = x.baseColor * ((1.0 - terms.F) * ((1.0 - x.metallic) / PI));
+    terms.brdf = terms.diffuse + terms.specular;
+    terms.weight = NoL;
+    return terms;
+}

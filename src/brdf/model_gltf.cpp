@@ -1,0 +1,66 @@
+#include "brdf/brdf.h"
+#include "brdf/dfg.h"
+#include "brdf/model.h"
+
+namespace torrance::brdf {
+namespace {
+
+double scalar(const Method& method, const ShadingPoint& point)
+{
+    return std::get<ScalarFormula>(method.formula)(point);
+}
+
+dvec3 color(const Method& method, const ShadingPoint& point)
+{
+    return std::get<ColorFormula>(method.formula)(point);
+}
+
+// V without its denominator. With the light at the normal, and all else as it is, only the view is masked: for Smith's
+// terms and for the V-cavity's this is their G1.
+double maskingOfView(const Method& visibility, ShadingPoint point)
+{
+    point.NoL = 1.0;
+    return scalar(visibility, point) * 4.0 * point.NoV;
+}
+
+} // namespace
+
+BrdfTerms model_gltf(const Preset& preset, const ShadingPoint& point)
+{
+    BrdfTerms terms;
+    if (point.NoV <= 0 || point.NoL <= 0)
+        return terms;
+
+    ShadingPoint lobe = point;
+    lobe.f90 = dvec3(1);
+    if (preset.multipleScattering->id != "none")
+        lobe.E = lobeAlbedo(point.NoV, point.perceptualRoughness);
+    terms.h = glm::normalize(point.v + point.l);
+    terms.D = scalar(*preset.distribution, lobe);
+    terms.V = scalar(*preset.visibility, lobe);
+    terms.G = terms.V * 4.0 * point.NoV * point.NoL;
+    terms.G1 = maskingOfView(*preset.visibility, lobe);
+    const double specular = terms.D * terms.V;
+
+    // Appendix B: metal_brdf = specular * F(base colour)
+    lobe.f0 = point.baseColor;
+    const dvec3 metalF = color(*preset.fresnel, lobe);
+    const dvec3 metal = specular * metalF * color(*preset.multipleScattering, lobe);
+
+    // Appendix B: dielectric_brdf = fresnel_mix(1.5, diffuse, specular)
+    lobe.f0 = dvec3(kDielectricF0);
+    const dvec3 F = color(*preset.fresnel, lobe);
+    const dvec3 reflected = specular * F * color(*preset.multipleScattering, lobe);
+    const dvec3 body = color(*preset.diffuse, lobe) * (dvec3(1) - F);
+
+    const double m = point.metallic;
+    terms.F0 = dvec3(kDielectricF0) * (1.0 - m) + point.baseColor * m;
+    terms.F = F * (1.0 - m) + metalF * m;
+    terms.specular = reflected * (1.0 - m) + metal * m;
+    terms.diffuse = body * (1.0 - m);
+    terms.brdf = (body + reflected) * (1.0 - m) + metal * m;
+    terms.weight = point.NoL;
+    return terms;
+}
+
+} // namespace torrance::brdf
