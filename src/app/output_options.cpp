@@ -25,8 +25,8 @@ std::string withStem(std::string pattern, const std::string& input)
 void checkFormat(const OutputOptions& options, const std::string& name)
 {
     const ImageFormat format = imageFormatOf(name); // an unknown format is said before anything is drawn
-    if (isSceneLinear(format) && (!options.tone.empty() || options.exposure))
-        throw usageError(name + " holds scene-linear light, which --tone and --exposure do not touch",
+    if (isSceneLinear(format) && (!options.tone.empty() || !options.transfer.empty() || options.exposure))
+        throw usageError(name + " holds scene-linear light, which --tone, --transfer and --exposure do not touch",
                          "leave them out, or write .png, .jpg or .webp");
     if (options.quality && format != ImageFormat::jpeg && format != ImageFormat::webp)
         throw usageError("--quality is for JPEG and WebP, and not for " + name, "leave it out");
@@ -50,6 +50,12 @@ void declareOutputOptions(CLI::App& app, OutputOptions& options)
         curves.emplace_back(curve.id);
     addChoice(app, "--tone", options.tone, curves,
               "Tone curve of display-referred pictures, khronos_neutral unless given")
+        ->group(group);
+    std::vector<std::string> transfers;
+    for (const TransferCurve& curve : allTransferCurves())
+        transfers.emplace_back(curve.id);
+    addChoice(app, "--transfer", options.transfer, transfers,
+              "Encoding of display-referred pictures, srgb unless given")
         ->group(group);
     app.add_option("--exposure", options.exposure, "Stops added before the tone curve of display-referred pictures")
         ->group(group);
@@ -85,6 +91,8 @@ WriteSettings writeSettings(const OutputOptions& options)
     settings.quality = options.quality.value_or(settings.quality);
     if (!options.tone.empty())
         settings.tone = findToneCurve(options.tone);
+    if (!options.transfer.empty())
+        settings.transfer = findTransferCurve(options.transfer);
     return settings;
 }
 

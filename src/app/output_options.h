@@ -17,6 +17,7 @@ struct OutputOptions
 {
     std::string pattern;            // a file, "-", or with {stem} for each input's name
     std::string tone;               // empty: khronos_neutral
+    std::string transfer;           // empty: srgb
     std::optional<double> exposure; // stops, 0
     std::optional<int> bits;        // 8
     std::optional<int> quality;     // 95

@@ -11,6 +11,7 @@
 #include "brdf/visibility.h"
 #include "image/srgb.h"
 #include "image/tone_curves.h"
+#include "image/transfer_curves.h"
 
 #include <algorithm>
 
@@ -254,6 +255,13 @@ constexpr Method kMethods[] = {
      .reciprocal = false,
      .formula = static_cast<CurveFormula>(&tone_aces_hill)},
     {.slot = Slot::tone,
+     .id = "aces_narkowicz",
+     .citation = "Narkowicz 2015, ACES Filmic Tone Mapping Curve (equation unnumbered)",
+     .approximates = "aces_hill, per channel and brighter: the 0.6 of exposure of its comparison is left out",
+     .domain = {.text = "all; NaN and negative count as 0"},
+     .reciprocal = false,
+     .formula = static_cast<CurveFormula>(&tone_aces_narkowicz)},
+    {.slot = Slot::tone,
      .id = "agx",
      .citation = "Sobotka's AgX, base look; Wrensch 2023, Minimal AgX Implementation",
      .approximates = "AgX's measured curve, by a polynomial",
@@ -281,6 +289,20 @@ constexpr Method kMethods[] = {
      .domain = {.text = "all; negative gives 0, above 1 the power goes on"},
      .reciprocal = false,
      .formula = CurveFormula(&transfer_srgb)},
+    {.slot = Slot::transfer,
+     .id = "gamma22",
+     .citation = "the power 1/2.2 of Poynton 1998, The rehabilitation of gamma, taken for the whole curve",
+     .approximates = "srgb",
+     .domain = {.text = "all; NaN and negative give 0, above 1 the power goes on"},
+     .reciprocal = false,
+     .formula = CurveFormula(&transfer_gamma22)},
+    {.slot = Slot::transfer,
+     .id = "linear",
+     .citation = "the identity, as IEC 61966-2-2:2003 (scRGB) stores light",
+     .approximates = "",
+     .domain = {.text = "all; NaN and negative give 0"},
+     .reciprocal = false,
+     .formula = CurveFormula(&transfer_linear)},
 };
 
 } // namespace

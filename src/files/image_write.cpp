@@ -28,7 +28,8 @@ std::string lowered(std::string text)
 
 Image displayed(const Image& beauty, const WriteSettings& settings, AlphaRule alpha)
 {
-    return toDisplay(beauty, {.exposure = settings.exposure, .tone = settings.tone, .alpha = alpha});
+    return toDisplay(
+        beauty, {.exposure = settings.exposure, .tone = settings.tone, .transfer = settings.transfer, .alpha = alpha});
 }
 
 ImageLayer beautyLayer(const Image& beauty)

@@ -28,8 +28,9 @@ bool isSceneLinear(ImageFormat format);
 
 struct WriteSettings
 {
-    double exposure = 0.0; // stops; display-referred formats only, as the tone curve
+    double exposure = 0.0; // stops; display-referred formats only, as the curves
     const ToneCurve* tone = findToneCurve("khronos_neutral");
+    const TransferCurve* transfer = findTransferCurve("srgb");
     int bitsPerChannel = 8;                             // 16: PNG only, an Error (usage) otherwise
     int quality = 95;                                   // 1 to 100: JPEG and WebP; WebP at 100 is lossless
     std::map<std::string, std::string> attributes = {}; // header of EXR; the other formats have no place for them

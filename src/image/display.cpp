@@ -1,7 +1,6 @@
 #include "image/display.h"
 
 #include "core/parallel.h"
-#include "image/srgb.h"
 
 #include <algorithm>
 #include <cassert>
@@ -17,10 +16,11 @@ float coverageScale(float alpha)
     return alpha > 0.0f ? 1.0f / std::min(alpha, 1.0f) : 0.0f;
 }
 
-vec3 displayColor(vec3 color, float scale, const ToneCurve& tone)
+vec3 displayColor(vec3 color, float scale, const DisplaySettings& settings)
 {
-    const vec3 toned = tone.single(color * scale);
-    return {srgbEncode(toned.x), srgbEncode(toned.y), srgbEncode(toned.z)};
+    const vec3 toned = settings.tone->single(color * scale);
+    const auto encode = settings.transfer->single;
+    return {encode(toned.x), encode(toned.y), encode(toned.z)};
 }
 
 void convertRow(const Image& from, Image& to, int y, const DisplaySettings& settings)
@@ -30,7 +30,7 @@ void convertRow(const Image& from, Image& to, int y, const DisplaySettings& sett
         const float* in = from.at(x, y);
         float* out = to.at(x, y);
         const float scale = to.channels == 4 ? coverageScale(in[3]) : 1.0f;
-        const vec3 color = displayColor({in[0], in[1], in[2]}, gain * scale, *settings.tone);
+        const vec3 color = displayColor({in[0], in[1], in[2]}, gain * scale, settings);
         std::copy_n(&color.x, 3, out);
         if (to.channels == 4)
             out[3] = in[3] > 0.0f ? std::min(in[3], 1.0f) : 0.0f;

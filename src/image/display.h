@@ -1,8 +1,10 @@
-// From what was drawn to what a screen is sent: exposure, tone curve, exact sRGB, in this order and once.
+// From what was drawn to what a screen is sent: exposure, tone curve, transfer curve (the exact sRGB unless
+// another is asked for), in this order and once.
 #pragma once
 
 #include "image/image.h"
 #include "image/tone_curves.h"
+#include "image/transfer_curves.h"
 
 namespace torrance {
 
@@ -16,6 +18,7 @@ struct DisplaySettings
 {
     double exposure = 0.0; // stops
     const ToneCurve* tone = findToneCurve("khronos_neutral");
+    const TransferCurve* transfer = findTransferCurve("srgb");
     AlphaRule alpha = AlphaRule::straight;
 };
 

@@ -81,6 +81,15 @@ Color<T> acesHill(const Color<T>& color)
 }
 
 template <typename T>
+Color<T> acesNarkowicz(const Color<T>& color)
+{
+    const Color<T> c = admitted(color);
+    const Color<T> above = c * (c * T(2.51) + T(0.03));
+    const Color<T> below = c * (c * T(2.43) + T(0.59)) + T(0.14);
+    return clipped(above / below);
+}
+
+template <typename T>
 T agxContrast(T x)
 {
     constexpr double kCoefficients[] = {15.5, -40.14, 31.96, -6.868, 0.4298, 0.1191, -0.00232};
@@ -153,6 +162,16 @@ vec3 tone_aces_hill(const vec3& color)
     return acesHill(color);
 }
 
+dvec3 tone_aces_narkowicz(const dvec3& color)
+{
+    return acesNarkowicz(color);
+}
+
+vec3 tone_aces_narkowicz(const vec3& color)
+{
+    return acesNarkowicz(color);
+}
+
 dvec3 tone_agx(const dvec3& color)
 {
     return agx(color);
@@ -168,6 +187,7 @@ std::span<const ToneCurve> allToneCurves()
     static constexpr ToneCurve kCurves[] = {
         {"khronos_neutral", tone_khronos_neutral, tone_khronos_neutral},
         {"aces_hill", tone_aces_hill, tone_aces_hill},
+        {"aces_narkowicz", tone_aces_narkowicz, tone_aces_narkowicz},
         {"agx", tone_agx, tone_agx},
         {"reinhard", tone_reinhard, tone_reinhard},
         {"none", tone_none, tone_none},

@@ -31,6 +31,11 @@ vec3 tone_khronos_neutral(const vec3& color);
 dvec3 tone_aces_hill(const dvec3& color);
 vec3 tone_aces_hill(const vec3& color);
 
+/// Krzysztof Narkowicz's rational fit of ACES per channel, without the 0.6 of exposure that his comparison puts before
+/// it: ACES Filmic Tone Mapping Curve, 2015. In [0, 1].
+dvec3 tone_aces_narkowicz(const dvec3& color);
+vec3 tone_aces_narkowicz(const vec3& color);
+
 /// Troy Sobotka's AgX, base look, in Benjamin Wrensch's minimal form (Minimal AgX Implementation, 2023): inset in Rec.
 /// 709 primaries, log2 over [-12.47393, 4.026069], the polynomial of sixth order, outset, 2.2 power. In [0, 1].
 dvec3 tone_agx(const dvec3& color);

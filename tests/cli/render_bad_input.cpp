@@ -236,6 +236,7 @@ TEST_F(RenderBadInput, OptionsThatWouldBeIgnored)
     };
     refused("out.exr", {"--exposure", "1"});
     refused("out.hdr", {"--tone", "agx"});
+    refused("out.exr", {"--transfer", "linear"});
     refused("out.png", {"--quality", "50"});
     refused("out.jpg", {"--bits", "16"});
     refused("-", {"--json", "-"});
