@@ -47,7 +47,8 @@ void declareSampling(CLI::App& app, Options& o)
 {
     const char* group = "Sampling";
     app.add_option("--samples", o.directions,
-                   "Directions into the environment per surface point, rounded up to a multiple of 64 (default 256)")
+                   "Directions per surface point into the environment and into each light with a radius, rounded up to "
+                   "a multiple of 64 (default 256)")
         ->group(group)
         ->check(CLI::Range(1, kMaxDirections));
     app.add_option(
@@ -63,7 +64,7 @@ void declareSampling(CLI::App& app, Options& o)
                    "Places in a pixel, by the reconstruction filter: what --samples is to render (default 1)")
         ->group(group)
         ->check(CLI::Range(1, kMaxPixelSamples));
-    addChoice(app, "--directions", o.choice, {"combined", "brdf", "environment"},
+    addChoice(app, "--directions", o.choice, {"combined", "brdf", "light"},
               "Where directions are drawn from: combined (default), or one kind alone, as a check of the other")
         ->group(group);
 }
@@ -121,9 +122,9 @@ ReferenceSettings settingsOf(const Options& o)
     settings.targetError = o.targetError;
     settings.maxDirections = wholeRounds(o.maxDirections.value_or(kDefaultMostDirections));
     settings.background = backgroundOf(o.picture);
-    settings.choice = o.choice == "brdf"          ? DirectionChoice::brdf
-                      : o.choice == "environment" ? DirectionChoice::environment
-                                                  : DirectionChoice::combined;
+    settings.choice = o.choice == "brdf"    ? DirectionChoice::brdf
+                      : o.choice == "light" ? DirectionChoice::light
+                                            : DirectionChoice::combined;
     return settings;
 }
 

@@ -52,6 +52,23 @@ inline dvec3 sampleGgxVisibleNormal(const dvec3& v, const dvec2& alpha, const dv
     return glm::normalize(dvec3(alpha.x * h.x, alpha.y * h.y, h.z));
 }
 
+/// The same density by another road: Heitz, Sampling the GGX Distribution of Visible Normals, 2018, listing 1. In the
+/// stretched space the hemisphere seen from v projects to a disk of which one half is squeezed.
+inline dvec3 sampleGgxVisibleNormalHeitz(const dvec3& v, const dvec2& alpha, const dvec2& u)
+{
+    const dvec3 stretched = glm::normalize(dvec3(alpha.x * v.x, alpha.y * v.y, v.z));
+    const double across = std::sqrt(stretched.x * stretched.x + stretched.y * stretched.y);
+    const dvec3 t1 = across > 0.0 ? dvec3(-stretched.y, stretched.x, 0.0) / across : dvec3(1.0, 0.0, 0.0);
+    const dvec3 t2 = glm::cross(stretched, t1);
+    const double radius = std::sqrt(u.x);
+    const double phi = 2.0 * kPi * u.y;
+    const double x = radius * std::cos(phi);
+    const double squeeze = 0.5 * (1.0 + stretched.z);
+    const double y = (1.0 - squeeze) * std::sqrt(1.0 - x * x) + squeeze * radius * std::sin(phi);
+    const dvec3 h = x * t1 + y * t2 + std::sqrt(std::max(0.0, 1.0 - x * x - y * y)) * stretched;
+    return glm::normalize(dvec3(alpha.x * h.x, alpha.y * h.y, std::max(0.0, h.z)));
+}
+
 /// Of sampleGgxVisibleNormal, 1/sr. G1(v) / v.z = 2 / (v.z + |stretched v|) has no 0/0 at grazing.
 inline double ggxVisibleNormalDensity(const dvec3& v, const dvec2& alpha, const dvec3& h)
 {

@@ -66,7 +66,7 @@ EnvironmentSampler::EnvironmentSampler(const Environment& environment)
         total = 0.0;
 }
 
-EnvironmentSampler::Light EnvironmentSampler::at(const dvec3& direction) const
+DirectedLight EnvironmentSampler::at(const dvec3& direction) const
 {
     const dvec3 local = direction * worldFromEnvironment; // times the transpose: the inverse of a rotation
     const dvec2 place = latLongFromDirection(local) * dvec2(width, height) - 0.5;
@@ -80,7 +80,7 @@ EnvironmentSampler::Light EnvironmentSampler::at(const dvec3& direction) const
         return (1.0 - fy) * ((1.0 - fx) * double(p) + fx * double(q)) + fy * ((1.0 - fx) * double(r) + fx * double(s));
     };
     const double sine = std::sqrt(local.x * local.x + local.z * local.z);
-    Light light;
+    DirectedLight light;
     light.radiance = intensity * dvec3(blend(a.r, b.r, c.r, d.r), blend(a.g, b.g, c.g, d.g), blend(a.b, b.b, c.b, d.b));
     const double weight = blend(a.weight, b.weight, c.weight, d.weight);
     if (weight > 0.0) // solid angle = 2 pi^2 sin(theta) du dv

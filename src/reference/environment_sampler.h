@@ -1,6 +1,7 @@
 // The environment as the light that it is: radiance in every direction, and directions drawn from where it is bright.
 #pragma once
 
+#include "reference/directed_light.h"
 #include "scene/scene.h"
 
 #include <vector>
@@ -24,13 +25,8 @@ public:
     /// No light from anywhere: nothing can be drawn.
     bool dark() const { return !(total > 0.0); }
 
-    struct Light
-    {
-        dvec3 radiance = dvec3(0.0); // times the environment's intensity
-        double density = 0.0;        // of draw() in this direction, 1/sr; infinite at the poles themselves
-    };
-    /// `direction` is unit, in the world.
-    Light at(const dvec3& direction) const;
+    /// `direction` is unit, in the world. The density is infinite at the poles.
+    DirectedLight at(const dvec3& direction) const;
 
     /// A unit direction in the world. Not for a dark environment.
     dvec3 draw(const dvec2& u) const;

@@ -1,15 +1,28 @@
 #include "reference/pixel_estimate.h"
 
 #include "reference/shade.h"
-#include "reference/visible_surfaces.h"
 #include "scene/camera_view.h"
 
 namespace torrance {
+namespace {
 
-/// A surface point that the environment lights, with its share of the pixel.
+bool isSphere(const Light& light)
+{
+    return light.radius > 0.0 && light.kind != Light::Kind::directional;
+}
+
+/// |c|_1, as the error of a pixel counts.
+double norm1(const dvec4& color)
+{
+    return std::abs(color.r) + std::abs(color.g) + std::abs(color.b);
+}
+
+} // namespace
+
+/// What lights a surface point from more than one direction, with the point's share of the pixel.
 struct PixelEstimator::Point
 {
-    EnvironmentIntegral integral;
+    LightIntegral integral;
     double share;
     std::uint64_t key;
 };
@@ -17,6 +30,8 @@ struct PixelEstimator::Point
 PixelEstimator::PixelEstimator(const Scene& scene, const Camera& c, const ReferenceSettings& s)
     : settings(s), camera(c), caster(scene, cameraPosition(c)), offsets(sampleOffsets(s.pixelSamples))
 {
+    for (const Light& light : scene.lights)
+        (isSphere(light) ? sphereLights : pointLights).push_back(light);
     if (!scene.environment)
         return;
     environment.emplace(*scene.environment);
@@ -31,42 +46,41 @@ dvec4 PixelEstimator::backgroundOf(const Ray& ray) const
     return environment ? dvec4(environment->at(ray.direction).radiance, 1.0) : dvec4(0.0, 0.0, 0.0, 1.0);
 }
 
+void PixelEstimator::addSurface(const VisibleSurface& seen, double share, std::uint64_t key, std::vector<Point>& points,
+                                PixelEstimate& exact) const
+{
+    const auto& [surface, material, alpha] = seen;
+    exact.color +=
+        share *
+        dvec4(shade(settings.methods, {pointLights}, material, caster.origin(), surface.position, surface.view), 1.0);
+    if (material.unlit)
+        return;
+    const auto add = [&](LightIntegral::Source source, std::uint64_t light) {
+        points.push_back({LightIntegral(settings.methods, std::move(source), material, surface.view, settings.choice),
+                          share, hashNumbers({key, light})});
+    };
+    if (environment && material.occlusion != 0.0)
+        add(&*environment, 0);
+    for (std::size_t i = 0; i < sphereLights.size(); ++i)
+        add(SphereLight(sphereLights[i], caster.origin(), surface.position), i + 1);
+}
+
 void PixelEstimator::gather(int x, int y, std::vector<Point>& points, PixelEstimate& exact) const
 {
-    const Scene& scene = caster.scene();
-    const Illumination lights{scene.lights};
     const double weight = 1.0 / static_cast<double>(offsets.size());
-    const std::uint64_t pixel =
+    const auto pixel =
         static_cast<std::uint64_t>(y) * static_cast<std::uint64_t>(settings.width) + static_cast<std::uint64_t>(x);
     for (std::size_t sample = 0; sample < offsets.size(); ++sample) {
         const Ray ray = primaryRay(camera, settings.width, settings.height, x + 0.5 + offsets[sample].x,
                                    y + 0.5 + offsets[sample].y);
         const VisibleSurfaces seen = visibleSurfaces(caster, ray);
-        for (std::size_t i = 0; i < seen.surfaces.size(); ++i) {
-            const auto& [surface, material, alpha] = seen.surfaces[i];
-            const double share = weight * alpha;
-            exact.color +=
-                share *
-                dvec4(shade(settings.methods, lights, material, caster.origin(), surface.position, surface.view), 1.0);
-            if (environment && !material.unlit && material.occlusion != 0.0)
-                points.push_back(
-                    {EnvironmentIntegral(settings.methods, *environment, material, surface.view, settings.choice),
-                     share, hashNumbers({pixel, sample, i})});
-        }
+        for (std::size_t i = 0; i < seen.surfaces.size(); ++i)
+            addSurface(seen.surfaces[i], weight * seen.surfaces[i].share, hashNumbers({pixel, sample, i}), points,
+                       exact);
         exact.covered += seen.surfaces.empty() ? 0.0 : weight;
         exact.color += weight * seen.through * backgroundOf(ray);
     }
 }
-
-namespace {
-
-/// |c|_1, as the error of a pixel counts.
-double norm1(const dvec4& color)
-{
-    return std::abs(color.r) + std::abs(color.g) + std::abs(color.b);
-}
-
-} // namespace
 
 PixelEstimate PixelEstimator::estimate(int x, int y, int directions, std::optional<double> target,
                                        double meanNorm) const

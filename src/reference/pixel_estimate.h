@@ -2,10 +2,8 @@
 #pragma once
 
 #include "image/reconstruction.h"
-#include "reference/ray_caster.h"
 #include "reference/reference_settings.h"
-
-#include <memory>
+#include "reference/visible_surfaces.h"
 
 namespace torrance {
 
@@ -36,12 +34,15 @@ private:
     struct Point;
     PixelEstimate estimate(int x, int y, int directions, std::optional<double> halfWidth, double meanNorm) const;
     void gather(int x, int y, std::vector<Point>& points, PixelEstimate& exact) const;
+    void addSurface(const VisibleSurface& seen, double share, std::uint64_t key, std::vector<Point>& points,
+                    PixelEstimate& exact) const;
     dvec4 backgroundOf(const Ray& ray) const;
 
     const ReferenceSettings& settings;
     Camera camera;
     RayCaster caster;
     std::vector<dvec2> offsets;
+    std::vector<Light> pointLights, sphereLights;
     std::optional<EnvironmentSampler> environment; // where it is not dark
 };
 

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "brdf/method.h"
-#include "reference/environment_integral.h"
+#include "reference/light_integral.h"
 #include "reference/replicates.h"
 
 #include <optional>
@@ -18,7 +18,7 @@ struct ReferenceSettings
     int width = 1024;
     int height = 1024;
     int pixelSamples = 1;                           // places in the pixel, by the reconstruction filter
-    int directions = 256;                           // of the environment, per surface point: a multiple of
+    int directions = 256;                           // per surface point and light that is no point: a multiple of
                                                     // kDirectionsPerRound
     std::optional<double> targetError;              // adaptive: directions double until a pixel's error is below
     int maxDirections = 1 << 16;                    // where they stop doubling

@@ -60,7 +60,7 @@ TEST_F(Reference, RefusesOptionsThatContradictEachOther)
                                                   {"--target-error", "nan"},
                                                   {"--max-samples", "128"},
                                                   {"--target-error", "0.1", "--samples", "512", "--max-samples", "256"},
-                                                  {"--directions", "combine"},
+                                                  {"--directions", "lights"},
                                                   {"--fresnel", "exact_conductor"}})
     {
         std::vector<std::string> arguments = {"reference", "demo", "-o", out};

@@ -1,44 +1,50 @@
-// The environment's light that one surface point reflects, as a mean over drawn directions.
+// The light of the environment, or of one sphere, that one surface point reflects, as a mean over drawn directions.
 #pragma once
 
 #include "brdf/method.h"
 #include "math/scrambled_sequence.h"
 #include "reference/environment_sampler.h"
 #include "reference/material_point.h"
+#include "reference/sphere_light.h"
+
+#include <variant>
+#include <vector>
 
 namespace torrance {
 
 /// From which densities directions are drawn. Each by itself gives the same integral: that they agree is a test of all.
 enum class DirectionChoice
 {
-    combined,    // all below together
-    brdf,        // visible normals of the specular lobe, and the cosine
-    environment, // the environment's brightness
+    combined, // all below together
+    brdf,     // visible normals of the specular lobe, and the cosine
+    light,    // the environment's brightness, the sphere's solid angle
 };
 
 /// Directions are drawn in turns, because only whole turns hold each density's exact share.
 inline constexpr std::uint32_t kDirectionsPerTurn = 4;
 
-/// A turn of `combined` takes two directions from the environment, one from the lobe (bounded visible normals, Eto &
+/// A turn of `combined` takes two directions from the light, one from the lobe (bounded visible normals, Eto &
 /// Tokuyoshi 2023) and one from the cosine; of `brdf`, two from the lobe and two from the cosine. A direction counts
 /// f(v, l) L(l) NoL over the mean density of the turn: the balance heuristic (Veach & Guibas, Optimally Combining
 /// Sampling Techniques for Monte Carlo Rendering, 1995, section 3.2). No density need match the BRDF: any method
 /// converges.
-class EnvironmentIntegral
+class LightIntegral
 {
 public:
-    /// Keeps references. The environment is not dark; `view` is unit, in the world.
-    EnvironmentIntegral(const brdf::Preset& preset, const EnvironmentSampler& environment,
-                        const MaterialPoint& material, const dvec3& view, DirectionChoice choice);
+    using Source = std::variant<const EnvironmentSampler*, SphereLight>;
+
+    /// Keeps references. An environment is not dark; `view` is unit, in the world.
+    LightIntegral(const brdf::Preset& preset, Source source, const MaterialPoint& material, const dvec3& view,
+                  DirectionChoice choice);
 
     /// The sum of what the directions of turns [first, first + turns) of the sequences of `key` contribute. The
-    /// integral is the sum over their number. Occlusion is in it.
+    /// integral is the sum over their number. Occlusion takes its part of an environment's light.
     dvec3 sumOfTurns(std::uint64_t key, std::uint32_t first, std::uint32_t turns) const;
 
 private:
     enum class Density
     {
-        environment,
+        light,
         lobe,
         cosine,
     };
@@ -49,11 +55,11 @@ private:
     };
     static std::vector<Share> sharesOf(DirectionChoice choice);
     dvec3 draw(Density from, const dvec2& u) const;
-    double density(Density of, const dvec3& l, const EnvironmentSampler::Light& light) const;
+    double density(Density of, const dvec3& l, const DirectedLight& light) const;
     dvec3 contribution(const dvec3& l) const;
 
     const brdf::Preset& preset;
-    const EnvironmentSampler& environment;
+    Source source;
     std::vector<Share> shares;
     MaterialPoint material;
     dmat3 worldFromLocal; // local: the normal is +Z
