@@ -38,14 +38,19 @@ float eonLostFitted(float c)
     return -4.58539989193781e-4 + c * (0.330099918 + c * (0.0760044872 + c * (-0.0464094608 - c * 0.0714429953)));
 }
 
-// s = VoL - NoV NoL is the cosine of the azimuth times both sines; towards -1 it comes from 1 + VoL = 2 VoH^2.
+// Fujii's lobe, 1 where r = 0. s = VoL - NoV NoL is the cosine of the azimuth times both sines; towards -1 it comes from 1 + VoL = 2 VoH^2.
+float fujiiLobe(float NoV, float NoL, float VoL, float VoH, float r)
+{
+    float cosines = NoV * NoL;
+    float s = VoL - cosines;
+    return s > 0.0 ? 1.0 + r * s / max(NoV, NoL) : (1.0 - r) + r * (2.0 * VoH * VoH - cosines);
+}
+
 vec3 eonLobes(float NoV, float NoL, float VoL, float VoH, float perceptualRoughness, vec3 baseColor, float lostView, float lostLight)
 {
     float r = perceptualRoughness;
     float A = 1.0 / (1.0 + kEonGrazing * r);
-    float cosines = NoV * NoL;
-    float s = VoL - cosines;
-    float lobe = s > 0.0 ? 1.0 + r * s / max(NoV, NoL) : (1.0 - r) + r * (2.0 * VoH * VoH - cosines);
+    float lobe = fujiiLobe(NoV, NoL, VoL, VoH, r);
     float mean = A * (1.0 + kEonMean * r);
     vec3 multiple = baseColor * baseColor * mean / (1.0 - baseColor * (1.0 - mean));
     return (baseColor * (A * lobe) + multiple * (A * r * lostView * lostLight / (kEonGrazing - kEonMean))) / PI;

@@ -20,13 +20,18 @@ struct ProbeRow
     float VoH;
     float oneLessVoH;
     float sin2H;
+    float ToH;
+    float BoH;
     float perceptualRoughness;
     float alpha;
+    float alphaT;
+    float alphaB;
     vec3 f0;
     vec3 f90;
     float ior;
     vec3 eta;
     vec3 k;
+    vec3 f82;
     vec3 baseColor;
     float metallic;
     float E;

@@ -53,7 +53,7 @@ void declare(CLI::App& app, Options& options)
     addChoice(app, "--preset", options.preset, presets, "Methods of the term brdf");
     app.add_option("--input", options.input,
                    "Table of rows: id, nx..nz, vx..vz, lx..lz, roughness, and what the term reads of metallic, "
-                   "base_r..base_b, ior, eta, k")
+                   "base_r..base_b, ior, eta, k, f82_r..f82_b, tx..tz, anisotropy")
         ->type_name("CSV")
         ->required();
     app.add_option("-o,--output", options.output, "Table of results ('-': standard output)")->type_name("CSV");
@@ -101,8 +101,10 @@ Term chooseTerm(const Options& options)
     return {makeProbeTerm(method),
             {.baseColor = *slot == Slot::diffuse || *slot == Slot::model,
              .metallic = *slot == Slot::model,
-             .ior = method.id == "exact_dielectric",
-             .conductor = method.id == "exact_conductor"},
+             .ior = method.needs == brdf::Interface::index,
+             .conductor = method.needs == brdf::Interface::complexIndex,
+             .f82 = method.id == "f82",
+             .tangent = method.id == "ggx_aniso"},
             std::string(method.id)};
 }
 

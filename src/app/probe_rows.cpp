@@ -41,6 +41,20 @@ public:
         return v;
     }
 
+    dvec3 color(std::size_t row, const std::string& name) const
+    {
+        return {number(row, name + "_r", kGreatest), number(row, name + "_g", kGreatest),
+                number(row, name + "_b", kGreatest)};
+    }
+
+    dvec3 tangent(std::size_t row, const dvec3& n) const
+    {
+        const dvec3 t = vector(row, "t");
+        if (glm::cross(n, glm::normalize(t)) == dvec3(0))
+            throw inputError(file, place(row, "tx ty tz"), "lies along the normal", "give a direction in the surface");
+        return t;
+    }
+
     void require(std::string_view name) const { table.column(name, file); }
 
 private:
@@ -58,8 +72,7 @@ brdf::ShadingPoint pointOf(const Rows& rows, std::size_t row, const ProbeColumns
     brdf::ShadingPoint point = brdf::makeShadingPoint(rows.vector(row, "n"), rows.vector(row, "v"),
                                                       rows.vector(row, "l"), rows.number(row, "roughness", 1));
     if (columns.baseColor)
-        point.baseColor = {rows.number(row, "base_r", kGreatest), rows.number(row, "base_g", kGreatest),
-                           rows.number(row, "base_b", kGreatest)};
+        point.baseColor = rows.color(row, "base");
     if (columns.metallic)
         point.metallic = rows.number(row, "metallic", 1);
     if (columns.ior)
@@ -68,6 +81,10 @@ brdf::ShadingPoint pointOf(const Rows& rows, std::size_t row, const ProbeColumns
         point.eta = dvec3(rows.number(row, "eta", kGreatest));
         point.k = dvec3(rows.number(row, "k", kGreatest));
     }
+    if (columns.f82)
+        point.f82 = rows.color(row, "f82");
+    if (columns.tangent)
+        brdf::setAnisotropy(point, rows.tangent(row, point.n), rows.number(row, "anisotropy", 1));
     return point;
 }
 
@@ -85,6 +102,12 @@ void requireColumns(const Rows& rows, const ProbeColumns& columns)
         rows.require("ior");
     if (columns.conductor)
         for (const char* name : {"eta", "k"})
+            rows.require(name);
+    if (columns.f82)
+        for (const char* name : {"f82_r", "f82_g", "f82_b"})
+            rows.require(name);
+    if (columns.tangent)
+        for (const char* name : {"tx", "ty", "tz", "anisotropy"})
             rows.require(name);
 }
 

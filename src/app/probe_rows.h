@@ -22,12 +22,14 @@ struct ProbeColumns
     bool metallic = false;
     bool ior = false;
     bool conductor = false; // eta, k
+    bool f82 = false;       // f82_r, f82_g, f82_b
+    bool tangent = false;   // tx, ty, tz, anisotropy
 };
 
 /// Columns id, nx ny nz, vx vy vz, lx ly lz (any length but zero), roughness, and those of `columns`; others are
 /// ignored. f0 = 0.04 and f90 = 1. Errors (input) name `file`, the line and the column: missing columns, what is no
-/// finite number, vectors of zero length, roughness, metallic outside [0, 1], base colour, ior, eta, k outside [0,
-/// 1e6].
+/// finite number, vectors of zero length, tangents along n, roughness, metallic, anisotropy outside [0, 1], base
+/// colour, ior, eta, k, f82 outside [0, 1e6].
 ProbeRows parseProbeRows(std::string_view csv, const std::string& file, const ProbeColumns& columns);
 
 } // namespace torrance

@@ -17,11 +17,13 @@ struct Geometry
 ShadingPoint pointFrom(const Geometry& geometry, const ShadingPoint& rest)
 {
     ShadingPoint point = makeShadingPoint(geometry.n, geometry.v, geometry.l, geometry.perceptualRoughness);
+    setAnisotropy(point, rest.tangent, rest.anisotropy);
     point.f0 = rest.f0;
     point.f90 = rest.f90;
     point.ior = rest.ior;
     point.eta = rest.eta;
     point.k = rest.k;
+    point.f82 = rest.f82;
     point.baseColor = rest.baseColor;
     point.metallic = rest.metallic;
     point.E = rest.E;

@@ -73,6 +73,78 @@ dvec3 Fd_burley(const ShadingPoint& point)
     return point.baseColor * (lightGain * viewGain / kPi);
 }
 
+// Lagarde & de Rousiers 2014, listing 4: Burley's with another reflectance at grazing, scaled so that it gains nothing
+// at a normal view.
+dvec3 Fd_burley_renormalised(const ShadingPoint& point)
+{
+    if (belowHorizon(point))
+        return dvec3(0);
+    const double r = point.perceptualRoughness;
+    const double FD90 = r * (0.5 + 2.0 * point.VoH * point.VoH);
+    const double light = std::pow(1.0 - point.NoL, 5);
+    const double view = std::pow(1.0 - point.NoV, 5);
+    const double factor = (1.0 - r) + r / 1.51;
+    const double gain = ((1.0 - light) + FD90 * light) * ((1.0 - view) + FD90 * view);
+    return point.baseColor * (factor * gain / kPi);
+}
+
+// Oren & Nayar 1994, the qualitative model, with sigma = r radians. cos(phi) sin(alpha) tan(beta), alpha the greater
+// and beta the lesser of both angles, is cos(phi) sin sin over the greater cosine: no tangent is left to grow.
+dvec3 Fd_oren_nayar(const ShadingPoint& point)
+{
+    if (belowHorizon(point))
+        return dvec3(0);
+    const double variance = point.perceptualRoughness * point.perceptualRoughness;
+    const double A = 1.0 - 0.5 * variance / (variance + 0.33);
+    const double B = 0.45 * variance / (variance + 0.09);
+    const double s = std::max(0.0, point.VoL - point.NoL * point.NoV);
+    return point.baseColor * ((A + B * s / std::max(point.NoL, point.NoV)) / kPi);
+}
+
+// Fujii's improvement of the same, with sigma = r: away from the light s is not cut but kept undivided.
+dvec3 Fd_fujii(const ShadingPoint& point)
+{
+    if (belowHorizon(point))
+        return dvec3(0);
+    const double r = point.perceptualRoughness;
+    const double A = 1.0 / (kPi + (0.5 * kPi - 2.0 / 3.0) * r);
+    const double s = point.VoL - point.NoL * point.NoV;
+    const double lobe = s > 0 ? 1.0 + r * s / std::max(point.NoL, point.NoV)
+                              : (1.0 - r) + r * (2.0 * point.VoH * point.VoH - point.NoL * point.NoV);
+    return point.baseColor * (A * lobe);
+}
+
+// Hammon 2017: a fit to the diffuse light of a GGX surface with Smith's masking; the term of the base colour's square
+// is the light that meets several facets. NoH of the denominator vanishes with both cosines.
+dvec3 Fd_hammon_diffuse(const ShadingPoint& point)
+{
+    if (belowHorizon(point))
+        return dvec3(0);
+    const double facing = point.VoH * point.VoH; // (1 + VoL) / 2
+    const double rough = facing * (0.9 - 0.4 * facing) * (1.0 + 0.5 / (point.NoH + kLeastDenominator));
+    const auto transmitted = [](double cosine) { return -std::expm1(5.0 * std::log1p(-std::min(cosine, 1.0))); };
+    const double smooth = 1.05 * transmitted(point.NoL) * transmitted(point.NoV);
+    const double single = (smooth * (1.0 - point.alpha) + rough * point.alpha) / kPi;
+    return point.baseColor * (dvec3(single) + point.baseColor * (0.1159 * point.alpha));
+}
+
+// Chan 2018: a fit to simulated diffuse light of GGX surfaces, by a gloss g with alpha^2 = 2 / (1 + 2^(18 g)), held
+// within [0, 1]: alpha below 0.0028 counts as that. The bump is negative for g in (0.71, 1), and at grazing it can pass
+// the rest by 0.07 of a Lambert: the sum is held at zero.
+dvec3 Fd_chan(const ShadingPoint& point)
+{
+    if (belowHorizon(point))
+        return dvec3(0);
+    const double a2 = point.alpha * point.alpha;
+    const double g = std::clamp(std::log1p(2.0 * (1.0 - a2) / a2) / (18.0 * std::log(2.0)), 0.0, 1.0);
+    const double rough = point.VoH + std::pow(point.oneLessVoH, 5);
+    const double smooth = (1.0 - 0.75 * std::pow(1.0 - point.NoV, 5)) * (1.0 - 0.75 * std::pow(1.0 - point.NoL, 5));
+    const double blend = std::clamp(2.2 * g - 0.5, 0.0, 1.0);
+    const double width = std::max(73.2 * g - 21.2, 8.9);
+    const double bump = (34.5 * g * g - 59.0 * g + 24.5) * point.VoH * std::exp2(-width * std::sqrt(point.NoH));
+    return point.baseColor * (std::max(0.0, rough * (1.0 - blend) + smooth * blend + bump) / kPi);
+}
+
 // Portsmouth, Kutz & Hill 2025, with the exact albedo.
 dvec3 Fd_eon(const ShadingPoint& point)
 {

@@ -46,4 +46,13 @@ double D_blinn(const ShadingPoint& point)
     return (p + 2.0) / (2.0 * kPi) * std::exp(p * logNoH);
 }
 
+// Burley 2012, appendix B, eq. 13: the ellipsoid with one semi-axis ratio along the tangent and another across it. A
+// sum of squares: nothing cancels.
+double D_ggx_aniso(const ShadingPoint& point)
+{
+    const double along = point.ToH / point.alphaT, across = point.BoH / point.alphaB;
+    const double ellipsoid = along * along + across * across + point.NoH * point.NoH;
+    return 1.0 / (kPi * point.alphaT * point.alphaB * ellipsoid * ellipsoid);
+}
+
 } // namespace torrance::brdf

@@ -44,6 +44,31 @@ double conductor(double c, double eta, double k)
     return 0.5 * (std::norm(perpendicular) + std::norm(parallel));
 }
 
+// Where c (1 - c)^6, the shape of what Schlick's term misses, is greatest (Hoffman 2019), and its value there.
+constexpr double kDipCosine = 1.0 / 7.0;
+constexpr double kDip = 46656.0 / 823543.0; // 6^6 / 7^7
+
+double dip(double c, double oneLessC)
+{
+    return c * std::pow(oneLessC, 6) / kDip;
+}
+
+// Lazanyi & Szirmay-Kalos 2005: Schlick's term with the normal reflectance of eta + i k.
+double indexedSchlick(double grazing, double eta, double k)
+{
+    const double apart = (eta - 1.0) * (eta - 1.0) + k * k;
+    return (apart + 4.0 * eta * grazing) / (apart + 4.0 * eta);
+}
+
+double lazanyi(double c, double oneLessC, double eta, double k)
+{
+    if (eta == 1 && k == 0)
+        return 0; // no interface, at grazing too
+    const double missed = indexedSchlick(std::pow(1.0 - kDipCosine, 5), eta, k) - conductor(kDipCosine, eta, k);
+    const double F = indexedSchlick(std::pow(oneLessC, 5), eta, k) - missed * dip(c, oneLessC);
+    return std::clamp(F, 0.0, 1.0);
+}
+
 } // namespace
 
 // Schlick 1994, eq. 15.
@@ -51,6 +76,34 @@ dvec3 F_schlick(const ShadingPoint& point)
 {
     const double grazing = std::pow(point.oneLessVoH, 5);
     return point.f0 * (1.0 - grazing) + point.f90 * grazing;
+}
+
+// Karis 2013, eq. 5: a power of two for the fifth power. 2^-12.54 of the grazing reflectance is left head-on.
+dvec3 F_sg(const ShadingPoint& point)
+{
+    const double grazing = std::exp2((-5.55473 * point.VoH - 6.98316) * point.VoH);
+    return point.f0 * (1.0 - grazing) + point.f90 * grazing;
+}
+
+// Hoffman 2019, with his reflectance at the cosine 1/7 given as a share of Schlick's: Kutz et al. 2021, F82-tint. A
+// dark tint makes the difference negative beside that cosine, and a tint above 1 passes 1: held within [0, 1], which
+// alters nothing for tints of [25/49, 1].
+dvec3 F_f82(const ShadingPoint& point)
+{
+    const dvec3 slope = point.f90 - point.f0;
+    const dvec3 schlick = point.f0 + slope * std::pow(point.oneLessVoH, 5);
+    const dvec3 missed = (point.f0 + slope * std::pow(1.0 - kDipCosine, 5)) * (dvec3(1) - point.f82);
+    return glm::clamp(schlick - missed * dip(point.VoH, point.oneLessVoH), dvec3(0), dvec3(1));
+}
+
+// Lazanyi & Szirmay-Kalos 2005 fit the term's height and its power for each metal; here the power is 6 and the height
+// that which meets Fresnel's equations where the term is greatest (Hoffman 2019). Held within [0, 1], which weakly
+// absorbing indices near 1 leave.
+dvec3 F_lazanyi(const ShadingPoint& point)
+{
+    const double c = std::clamp(point.VoH, 0.0, 1.0);
+    return {lazanyi(c, point.oneLessVoH, point.eta.r, point.k.r), lazanyi(c, point.oneLessVoH, point.eta.g, point.k.g),
+            lazanyi(c, point.oneLessVoH, point.eta.b, point.k.b)};
 }
 
 dvec3 F_exact_dielectric(const ShadingPoint& point)

@@ -77,6 +77,14 @@ struct Domain
 /// For people: "all", "roughness >= 0.23; NoH >= 0", ...
 std::string domainText(const Domain& domain);
 
+/// What a Fresnel term must know of the interface, beside the cosine.
+enum class Interface
+{
+    reflectance,  // f0 and f90: a base colour says enough
+    index,        // ior
+    complexIndex, // eta and k
+};
+
 struct Method
 {
     Slot slot;
@@ -84,8 +92,9 @@ struct Method
     std::string_view citation;     // with the equation's number
     std::string_view approximates; // what it stands in for; empty: it is the exact form of what it names
     Domain domain;
-    bool reciprocal;          // claims f(v, l) = f(l, v)
-    bool gainsEnergy = false; // somewhere in its domain it returns more light than it receives
+    bool reciprocal;                          // claims f(v, l) = f(l, v)
+    bool gainsEnergy = false;                 // somewhere in its domain it returns more light than it receives
+    Interface needs = Interface::reflectance; // of the slot fresnel
     Formula formula;
     std::string_view file = {}; // GLSL below shaders/, of a slot whose functions do not stand in shaders/brdf/<slot>
 };

@@ -33,6 +33,8 @@ BrdfTerms model_gltf(const Preset& preset, const ShadingPoint& point)
 
     ShadingPoint lobe = point;
     lobe.f90 = dvec3(1);
+    lobe.f82 = dvec3(1);
+    lobe.alphaT = lobe.alphaB = lobe.alpha;
     if (preset.multipleScattering->id != "none")
         lobe.E = lobeAlbedo(point.NoV, point.perceptualRoughness);
     terms.h = glm::normalize(point.v + point.l);

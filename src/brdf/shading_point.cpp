@@ -16,6 +16,14 @@ dvec3 unit(const dvec3& vector)
         dvec3(std::ldexp(vector.x, -exponent), std::ldexp(vector.y, -exponent), std::ldexp(vector.z, -exponent)));
 }
 
+// Any direction in the surface: across that axis which the normal is farthest from.
+dvec3 someTangent(const dvec3& n)
+{
+    return std::abs(n.x) <= std::abs(n.y) && std::abs(n.x) <= std::abs(n.z) ? dvec3(1, 0, 0)
+           : std::abs(n.y) <= std::abs(n.z)                                 ? dvec3(0, 1, 0)
+                                                                            : dvec3(0, 0, 1);
+}
+
 } // namespace
 
 ShadingPoint makeShadingPoint(const dvec3& n, const dvec3& v, const dvec3& l, double perceptualRoughness)
@@ -48,9 +56,22 @@ ShadingPoint makeShadingPoint(const dvec3& n, const dvec3& v, const dvec3& l, do
 
     point.perceptualRoughness = perceptualRoughness;
     point.alpha = std::max(perceptualRoughness * perceptualRoughness, kMinAlpha);
-    point.alphaT = point.alpha;
-    point.alphaB = point.alpha;
+    setAnisotropy(point, someTangent(point.n), 0.0);
     return point;
+}
+
+void setAnisotropy(ShadingPoint& point, const dvec3& tangent, double anisotropy)
+{
+    const dvec3 bitangent = unit(glm::cross(point.n, unit(tangent)));
+    point.tangent = glm::cross(bitangent, point.n);
+    point.anisotropy = anisotropy;
+    point.alphaT = point.alpha + (1.0 - point.alpha) * anisotropy * anisotropy;
+    point.alphaB = point.alpha;
+
+    const dvec3 t = point.v + point.l;
+    const double length = glm::length(t);
+    point.ToH = length > 0 ? glm::dot(point.tangent, t) / length : 1.0;
+    point.BoH = length > 0 ? glm::dot(bitangent, t) / length : 0.0;
 }
 
 } // namespace torrance::brdf

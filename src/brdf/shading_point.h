@@ -17,22 +17,26 @@ inline constexpr double kLeastDenominator = 1e-30;
 struct ShadingPoint
 {
     dvec3 n = dvec3(0, 0, 1), v = dvec3(0, 0, 1), l = dvec3(0, 0, 1);
+    dvec3 tangent = dvec3(1, 0, 0); // unit, in the surface; the bitangent is n x tangent
 
     double NoV = 1, NoL = 1; // signed
     double VoL = 1;
     double NoH = 1, VoH = 1; // h = (v + l) / |v + l|
+    double ToH = 0, BoH = 0; // along the tangent, bitangent
     double sin2H = 0;        // 1 - NoH^2 = |n x t|^2 / |t|^2, t = v + l
     double oneLessVoH = 0;   // 1 - VoH = |v - l|^2 / (4 (1 + VoH))
 
     double perceptualRoughness = 1;
-    double alpha = 1;  // max(r^2, kMinAlpha)
-    double alphaT = 1; // along the tangent, bitangent
-    double alphaB = 1;
+    double anisotropy = 0; // strength, [0, 1]; 0 makes both alphas alpha, whatever the tangent
+    double alpha = 1;      // max(r^2, kMinAlpha)
+    double alphaT = 1;     // alpha + (1 - alpha) anisotropy^2 (KHR_materials_anisotropy)
+    double alphaB = 1;     // alpha
 
     dvec3 f0 = dvec3(0.04), f90 = dvec3(1.0);
     double ior = 1.5;       // transmitted over incident; 0 means infinite
     dvec3 eta = dvec3(1.5); // complex index of a conductor
     dvec3 k = dvec3(0.0);
+    dvec3 f82 = dvec3(1.0); // reflectance at the cosine 1/7 (82 degrees) over Schlick's there; white is Schlick's
     dvec3 baseColor = dvec3(1.0);
     double metallic = 0;
 
@@ -41,7 +45,11 @@ struct ShadingPoint
 
 /// Fills the cosines, sin2H, oneLessVoH and the alphas from n, v, l and perceptualRoughness. n, v, l are normalised
 /// first. Where l = -v there is no half vector: NoH = 0, sin2H = 1, VoH = 0 (nothing is reflected there: one of NoV,
-/// NoL is <= 0).
+/// NoL is <= 0). The surface is isotropic, its tangent is any.
 ShadingPoint makeShadingPoint(const dvec3& n, const dvec3& v, const dvec3& l, double perceptualRoughness);
+
+/// Turns the point's tangent to what lies in the surface of `tangent` (not along n) and sets ToH, BoH and the alphas
+/// for a strength of anisotropy in [0, 1].
+void setAnisotropy(ShadingPoint& point, const dvec3& tangent, double anisotropy);
 
 } // namespace torrance::brdf

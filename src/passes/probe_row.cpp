@@ -32,13 +32,14 @@ std::array<double, kProbeScalars> probeScalars(const brdf::ShadingPoint& point)
     Row row;
     for (const dvec3& direction : {point.n, point.v, point.l})
         row.add(direction);
-    for (const double scalar : {point.NoV, point.NoL, point.VoL, point.NoH, point.VoH, point.oneLessVoH, point.sin2H,
-                                point.perceptualRoughness, point.alpha})
+    for (const double scalar :
+         {point.NoV, point.NoL, point.VoL, point.NoH, point.VoH, point.oneLessVoH, point.sin2H, point.ToH, point.BoH,
+          point.perceptualRoughness, point.alpha, point.alphaT, point.alphaB})
         row.add(scalar);
     row.add(point.f0);
     row.add(point.f90);
     row.add(point.ior);
-    for (const dvec3& color : {point.eta, point.k, point.baseColor})
+    for (const dvec3& color : {point.eta, point.k, point.f82, point.baseColor})
         row.add(color);
     row.add(point.metallic);
     row.add(point.E);

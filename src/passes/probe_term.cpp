@@ -17,13 +17,13 @@ std::string argumentsOf(Slot slot)
 {
     switch (slot) {
     case Slot::distribution:
-        return "row.NoH, row.sin2H, row.alpha";
+        return "row.NoH, row.sin2H, row.alpha, row.ToH, row.BoH, row.alphaT, row.alphaB";
     case Slot::visibility:
         return "row.NoV, row.NoL, row.NoH, row.VoH, row.alpha, row.perceptualRoughness";
     case Slot::fresnel:
-        return "row.VoH, row.oneLessVoH, row.f0, row.f90, row.ior, row.eta, row.k";
+        return "row.VoH, row.oneLessVoH, row.f0, row.f90, row.ior, row.eta, row.k, row.f82";
     case Slot::diffuse:
-        return "row.NoV, row.NoL, row.VoL, row.VoH, row.perceptualRoughness, row.baseColor";
+        return "row.NoV, row.NoL, row.VoL, row.NoH, row.VoH, row.alpha, row.perceptualRoughness, row.baseColor";
     case Slot::multipleScattering:
         return "row.f0, row.E";
     default:

@@ -32,27 +32,48 @@ dvec3 asFloat(const dvec3& x)
 // The point whose scalars are those that the device sees: both sides then compute from the same numbers.
 ShadingPoint scalarsRounded(ShadingPoint p)
 {
-    for (double* scalar : {&p.NoV, &p.NoL, &p.VoL, &p.NoH, &p.VoH, &p.oneLessVoH, &p.sin2H, &p.perceptualRoughness,
-                           &p.alpha, &p.ior, &p.metallic, &p.E})
+    for (double* scalar : {&p.NoV, &p.NoL, &p.VoL, &p.NoH, &p.VoH, &p.oneLessVoH, &p.sin2H, &p.ToH, &p.BoH,
+                           &p.perceptualRoughness, &p.alpha, &p.alphaT, &p.alphaB, &p.ior, &p.metallic, &p.E})
         *scalar = asFloat(*scalar);
-    for (dvec3* color : {&p.f0, &p.f90, &p.eta, &p.k, &p.baseColor})
+    for (dvec3* color : {&p.f0, &p.f90, &p.eta, &p.k, &p.f82, &p.baseColor})
         *color = asFloat(*color);
     return p;
 }
 
-// Of the worst channel. A device may flush to zero what lies below the least normal float, be it the value or a term of
-// it: that much is forgiven.
-double relativeError(const vec3& device, const dvec3& exact)
+// Of the worst channel, relative to the value, or to `terms` where that is more. A device may flush to zero what lies
+// below the least normal float, be it the value or a term of it: that much is forgiven.
+double relativeError(const vec3& device, const dvec3& exact, const dvec3& terms)
 {
     double worst = 0;
     for (int channel = 0; channel < 3; ++channel) {
         const double d = device[channel], c = exact[channel];
         if (!std::isfinite(d) || !std::isfinite(c))
             return INFINITY;
+        const double size = std::max({std::abs(c), terms[channel], static_cast<double>(FLT_MIN)});
         if (std::abs(d - c) > FLT_MIN)
-            worst = std::max(worst, (std::abs(d - c) - FLT_MIN) / std::max(std::abs(c), static_cast<double>(FLT_MIN)));
+            worst = std::max(worst, (std::abs(d - c) - FLT_MIN) / size);
     }
     return worst;
+}
+
+// The greater term of a formula that is a difference and can pass through 0, where no float is relatively right.
+// f82, lazanyi: Schlick's reflectance here, or what they take of it at the cosine 1/7. chan: the body that a negative
+// bump is added to.
+dvec3 termsOf(const Method& method, const ShadingPoint& p)
+{
+    const auto larger = [&](const dvec3& f0, const dvec3& slope) {
+        const double dip = p.VoH * std::pow(p.oneLessVoH, 6) * std::pow(7.0, 7) / std::pow(6.0, 6);
+        return glm::max(f0 + slope * std::pow(p.oneLessVoH, 5), (f0 + slope * std::pow(6.0 / 7.0, 5)) * dip);
+    };
+    if (method.slot == Slot::fresnel && method.id == "f82")
+        return larger(p.f0, p.f90 - p.f0);
+    if (method.slot == Slot::fresnel && method.id == "lazanyi") {
+        const dvec3 slope = 4.0 * p.eta / ((p.eta + 1.0) * (p.eta + 1.0) + p.k * p.k);
+        return larger(dvec3(1) - slope, slope);
+    }
+    if (method.slot == Slot::diffuse && method.id == "chan")
+        return p.baseColor * (0.25 * 0.25 / kPi); // the least body: both cosines 0
+    return dvec3(0);
 }
 
 // 5e-6: forty roundings of 2^-23; every formula has fewer operations on its path than that. The textbook's D is the
@@ -122,7 +143,8 @@ std::string faultOf(const Method& method, const ShadingPoint& point, const vec3&
 ProbeCheck methodCheck(const Method& method)
 {
     ProbeCheck check{makeProbeTerm(method), probeGrid(),
-                     [&method](const ShadingPoint& p) { return allowedFor(method, p); }};
+                     [&method](const ShadingPoint& p) { return allowedFor(method, p); },
+                     [&method](const ShadingPoint& p) { return termsOf(method, p); }};
     for (ShadingPoint& row : check.rows)
         row = scalarsRounded(row);
     return check;
@@ -152,7 +174,7 @@ ProbeWorst worstOf(const gpu::Device& device, gpu::ShaderLibrary& shaders, const
     constexpr std::size_t kGrain = 16;
     parallelFor(judged.size(), kGrain, [&](std::size_t i) {
         const dvec3 exact = check.term.formula(check.rows[i]);
-        const double error = relativeError(drawn[i], exact);
+        const double error = relativeError(drawn[i], exact, check.terms ? check.terms(check.rows[i]) : dvec3(0));
         judged[i] = {error / check.allowed(check.rows[i]), error, i, drawn[i], exact};
     });
     ProbeWorst worst;

@@ -15,6 +15,7 @@ struct ProbeCheck
     ProbeTerm term;
     std::vector<brdf::ShadingPoint> rows;
     std::function<double(const brdf::ShadingPoint&)> allowed;
+    std::function<dvec3(const brdf::ShadingPoint&)> terms = {}; // of a difference: errors are relative to them, too
 };
 
 /// A method with a shading function, over probeGrid. Both sides are fed the same scalars: only the function's own

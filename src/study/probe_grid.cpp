@@ -32,6 +32,8 @@ void giveMaterial(ShadingPoint& point, Random& random)
     point.ior = random.uniform(0.4, 3.0);
     point.eta = random.color() * 4.0 + 0.05;
     point.k = random.color() * 8.0;
+    point.f82 = random.color();
+    setAnisotropy(point, random.direction(), random.uniform(0, 1));
     point.E = random.uniform(0.3, 1.0);
 }
 
@@ -96,6 +98,8 @@ std::vector<ShadingPoint> probeCorners()
                         p.oneLessVoH = 1 - p.VoH;
                         p.VoL = 2 * p.VoH * p.VoH - 1;
                         p.sin2H = 1 - NoH * NoH;
+                        p.ToH = std::sqrt(p.sin2H);
+                        p.BoH = 0;
                         for (const double index : {0.0, 0.5, 1.0, 1.5, 1e6}) {
                             p.ior = index;
                             p.eta = dvec3(index, index, 1.0);

@@ -97,6 +97,20 @@ TEST_F(Probe, KnowsEveryTermThatHasAFormula)
     }
 }
 
+// n = v = l: the peak 1 / (pi alphaT alphaB), alphaB = 0.5^2 and alphaT = 0.25 + 0.75 * 0.6^2 = 0.52
+// (KHR_materials_anisotropy).
+TEST_F(Probe, ReadsATangentAndAnisotropyWhereTheMethodDoes)
+{
+    const std::string header = "id,nx,ny,nz,vx,vy,vz,lx,ly,lz,roughness,tx,ty,tz,anisotropy\n";
+    const std::vector<std::string> term = {"--term", "distribution", "--method", "ggx_aniso"};
+    const Outcome outcome = probe(header + "a,0,0,1,0,0,1,0,0,1,0.5,1,0,7,0.6\n", term);
+    ASSERT_EQ(outcome.exitCode, 0) << outcome.errors;
+    const std::vector<double> row = firstRow(outcome.output);
+    EXPECT_NEAR(row[3] * 3.14159265358979323846 * 0.25 * 0.52, 1.0, 1e-14);
+    EXPECT_LE(row[6], 5e-6);
+    refuses(header + "a,0,0,1,0,0,1,0,0,1,0.5,0,0,-2,0.6\n", term, 3, "lies along the normal");
+}
+
 TEST_F(Probe, WritesFilesWholeAndASummary)
 {
     const Outcome outcome = probe(kHeader + kRow + kRow, {"--term", "fresnel", "--method", "exact_conductor", "-o",
@@ -119,6 +133,9 @@ TEST_F(Probe, NeedsOnlyTheColumnsThatTheTermReads)
     EXPECT_EQ(probe(small, {"--term", "visibility", "--method", "hammon"}).exitCode, 0);
     refuses(small, {"--term", "brdf"}, 3, "column base_r: is missing");
     refuses(small, {"--term", "fresnel", "--method", "exact_dielectric"}, 3, "column ior: is missing");
+    refuses(small, {"--term", "fresnel", "--method", "lazanyi"}, 3, "column eta: is missing");
+    refuses(small, {"--term", "fresnel", "--method", "f82"}, 3, "column f82_r: is missing");
+    refuses(small, {"--term", "distribution", "--method", "ggx_aniso"}, 3, "column tx: is missing");
 }
 
 TEST_F(Probe, NamesWhatIsWrongWithATable)

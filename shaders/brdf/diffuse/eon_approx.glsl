@@ -2,7 +2,7 @@
 // negative by 1e-4 of a Lambert.
 #include "brdf/eon.glsl"
 
-vec3 Fd_eon_approx(float NoV, float NoL, float VoL, float VoH, float perceptualRoughness, vec3 baseColor)
+vec3 Fd_eon_approx(float NoV, float NoL, float VoL, float NoH, float VoH, float alpha, float perceptualRoughness, vec3 baseColor)
 {
     if (NoV <= 0.0 || NoL <= 0.0)
         return vec3(0.0);

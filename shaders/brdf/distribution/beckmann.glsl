@@ -3,7 +3,7 @@
 #include "brdf/extended.glsl"
 #include "shared/constants.h"
 
-float D_beckmann(float NoH, float sin2H, float alpha)
+float D_beckmann(float NoH, float sin2H, float alpha, float ToH, float BoH, float alphaT, float alphaB)
 {
     vec2 cos2 = exactProduct(NoH, NoH);
     vec2 a2 = exactProduct(alpha, alpha);

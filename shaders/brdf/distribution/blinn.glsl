@@ -3,7 +3,7 @@
 #include "brdf/extended.glsl"
 #include "shared/constants.h"
 
-float D_blinn(float NoH, float sin2H, float alpha)
+float D_blinn(float NoH, float sin2H, float alpha, float ToH, float BoH, float alphaT, float alphaB)
 {
     vec2 a2 = exactProduct(alpha, alpha);
     vec2 halfPower = extendedQuotient(extendedSum(vec2(1.0, 0.0), -a2), a2);

@@ -2,7 +2,7 @@
 // 1 - NoH^2 loses where the highlight is.
 #include "shared/constants.h"
 
-float D_ggx(float NoH, float sin2H, float alpha)
+float D_ggx(float NoH, float sin2H, float alpha, float ToH, float BoH, float alphaT, float alphaB)
 {
     float a2 = alpha * alpha;
     float d = sin2H + NoH * NoH * a2;

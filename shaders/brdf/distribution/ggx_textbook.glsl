@@ -2,7 +2,7 @@
 // direction, and to nothing there for alpha < 2.4e-4, where the guard keeps the quotient finite.
 #include "shared/constants.h"
 
-float D_ggx_textbook(float NoH, float sin2H, float alpha)
+float D_ggx_textbook(float NoH, float sin2H, float alpha, float ToH, float BoH, float alphaT, float alphaB)
 {
     float a2 = alpha * alpha;
     float d = NoH * NoH * (a2 - 1.0) + 1.0;

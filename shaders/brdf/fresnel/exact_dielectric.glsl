@@ -3,7 +3,7 @@
 #include "brdf/extended.glsl"
 #include "shared/constants.h"
 
-vec3 F_exact_dielectric(float VoH, float oneLessVoH, vec3 f0, vec3 f90, float ior, vec3 eta, vec3 k)
+vec3 F_exact_dielectric(float VoH, float oneLessVoH, vec3 f0, vec3 f90, float ior, vec3 eta, vec3 k, vec3 f82)
 {
     const float kInfiniteIor = 1e9;
     if (ior == 0.0 || ior > kInfiniteIor)

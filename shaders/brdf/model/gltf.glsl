@@ -13,18 +13,19 @@ BrdfTerms model_gltf(BrdfInput x)
 
     BrdfTerms terms;
     terms.h = normalize(h.t);
-    terms.D = SELECTED_distribution(h.NoH, h.sin2H, x.alpha);
+    // An isotropic surface has one alpha in every direction; so its tangent may be the one that h lies over.
+    terms.D = SELECTED_distribution(h.NoH, h.sin2H, x.alpha, sqrt(h.sin2H), 0.0, x.alpha, x.alpha);
     terms.V = SELECTED_visibility(NoV, NoL, h.NoH, h.VoH, x.alpha, x.perceptualRoughness);
     terms.G = 4.0 * NoV * NoL * terms.V;
     terms.G1 = 4.0 * NoV * SELECTED_visibility(NoV, 1.0, h.NoH, h.VoH, x.alpha, x.perceptualRoughness);
     float specular = terms.D * terms.V;
-    vec3 diffuse = SELECTED_diffuse(NoV, NoL, dot(x.v, x.l), h.VoH, x.perceptualRoughness, x.baseColor);
+    vec3 diffuse = SELECTED_diffuse(NoV, NoL, dot(x.v, x.l), h.NoH, h.VoH, x.alpha, x.perceptualRoughness, x.baseColor);
 
     const vec3 f0 = vec3(kDielectricF0);
-    vec3 F = SELECTED_fresnel(h.VoH, h.oneLessVoH, f0, vec3(1.0), kDielectricIor, vec3(kDielectricIor), vec3(0.0));
+    vec3 F = SELECTED_fresnel(h.VoH, h.oneLessVoH, f0, vec3(1.0), kDielectricIor, vec3(kDielectricIor), vec3(0.0), vec3(1.0));
     vec3 body = diffuse * (1.0 - F);
     vec3 reflected = specular * F * SELECTED_multiple_scattering(f0, x.E);
-    vec3 metalF = SELECTED_fresnel(h.VoH, h.oneLessVoH, x.baseColor, vec3(1.0), kDielectricIor, vec3(kDielectricIor), vec3(0.0));
+    vec3 metalF = SELECTED_fresnel(h.VoH, h.oneLessVoH, x.baseColor, vec3(1.0), kDielectricIor, vec3(kDielectricIor), vec3(0.0), vec3(1.0));
     vec3 metal = specular * metalF * SELECTED_multiple_scattering(x.baseColor, x.E);
 
     // Not mix(): a(1 - m) + b m is a at m = 0 and b at m = 1, to the bit.

@@ -14,6 +14,8 @@ ShadingPoint halfVectorAt(double tangent, double roughness)
     ShadingPoint point = makeShadingPoint(dvec3(0, 0, 1), dvec3(0, 0, 1), dvec3(0, 0, 1), roughness);
     point.NoH = 1.0 / std::sqrt(1.0 + tangent * tangent);
     point.sin2H = tangent * tangent / (1.0 + tangent * tangent);
+    point.ToH = tangent * point.NoH;
+    point.BoH = 0.0;
     return point;
 }
 
@@ -35,10 +37,71 @@ double projectedArea(const Method& method, double roughness)
 
 TEST(Distribution, IntegratesToOneOverTheProjectedHemisphere)
 {
-    for (const std::string_view id : {"ggx", "ggx_textbook", "beckmann", "blinn"})
+    for (const Method& method : allMethods()) {
+        if (method.slot != Slot::distribution)
+            continue;
         for (const double roughness : {0.1, 0.2, 0.35, 0.5, 0.7, 0.9, 1.0})
-            EXPECT_NEAR(projectedArea(*findMethod(Slot::distribution, id), roughness), 1.0, 1e-9)
-                << id << ' ' << roughness;
+            EXPECT_NEAR(projectedArea(method, roughness), 1.0, 1e-9) << method.id << ' ' << roughness;
+    }
+}
+
+// The same for one alpha along the tangent and another across it, over slopes: D NoH dw = D NoH^4 d(slope T) d(slope
+// B), in polar coordinates of the slopes divided by the alphas.
+TEST(Distribution, AnisotropicGgxIntegratesToOneToo)
+{
+    const QuadratureRule radial = gaussLegendre(200, 0.0, 1.0), around = gaussLegendre(64, 0.0, kPi / 2);
+    for (const double roughness : {0.1, 0.5, 0.9})
+        for (const double strength : {0.0, 0.3, 1.0}) {
+            ShadingPoint point = halfVectorAt(0.0, roughness);
+            setAnisotropy(point, dvec3(0, 1, 0), strength);
+            const double area = 4.0 * integrate(around, [&](double phi) {
+                                    return integrate(radial, [&](double x) {
+                                        const double q = x / (1.0 - x);
+                                        const double slopeT = point.alphaT * q * std::cos(phi),
+                                                     slopeB = point.alphaB * q * std::sin(phi);
+                                        point.NoH = 1.0 / std::sqrt(1.0 + slopeT * slopeT + slopeB * slopeB);
+                                        point.ToH = slopeT * point.NoH;
+                                        point.BoH = slopeB * point.NoH;
+                                        return D_ggx_aniso(point) * std::pow(point.NoH, 4) * point.alphaT *
+                                               point.alphaB * q / ((1.0 - x) * (1.0 - x));
+                                    });
+                                });
+            EXPECT_NEAR(area, 1.0, 1e-9) << roughness << ' ' << strength;
+        }
+}
+
+// The second form: the slopes' density of an isotropic surface, stretched (Heitz 2014, section 5.3): D = P(s) / NoH^4.
+TEST(Distribution, AnisotropicGgxIsTheStretchedIsotropicOne)
+{
+    for (ShadingPoint point : gridOfPoints()) {
+        setAnisotropy(point, dvec3(0.8, 0.6, 0.0), 0.7);
+        const double slopeT = point.ToH / point.NoH / point.alphaT, slopeB = point.BoH / point.NoH / point.alphaB;
+        const double stretched = 1.0 / (kPi * std::pow(1.0 + slopeT * slopeT + slopeB * slopeB, 2));
+        const double expected = stretched / (point.alphaT * point.alphaB * std::pow(point.NoH, 4));
+        EXPECT_NEAR(D_ggx_aniso(point) / expected, 1.0, 1e-12) << point.NoV << ' ' << point.NoL;
+    }
+}
+
+TEST(Distribution, StrengthZeroIsIsotropicOnAnyTangent)
+{
+    for (ShadingPoint point : gridOfPoints())
+        for (const dvec3& tangent : {dvec3(1, 0, 0), dvec3(-0.3, 0.9, 5.0)}) {
+            setAnisotropy(point, tangent, 0.0);
+            EXPECT_EQ(point.alphaT, point.alpha);
+            EXPECT_NEAR(D_ggx_aniso(point) / D_ggx(point), 1.0, 1e-9)
+                << "ToH^2 + BoH^2 rounds as a sum, sin2H does not";
+        }
+}
+
+// KHR_materials_anisotropy: alpha_t = mix(alpha, 1, strength^2).
+TEST(Distribution, StrengthOneIsAFullyRoughTangent)
+{
+    ShadingPoint point = pointAt(0.5, 0.7, 1.0, 0.4);
+    setAnisotropy(point, dvec3(0.5, 0, 2), 1.0);
+    EXPECT_EQ(point.alphaT, 1.0);
+    EXPECT_EQ(point.alphaB, point.alpha);
+    EXPECT_NEAR(glm::length(point.tangent - dvec3(1, 0, 0)), 0.0, 1e-15) << "what lies in the surface";
+    EXPECT_NEAR(point.ToH * point.ToH + point.BoH * point.BoH, point.sin2H, 1e-15);
 }
 
 TEST(Distribution, PeaksAreOneOverPiAlphaSquared)
