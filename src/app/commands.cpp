@@ -1,6 +1,7 @@
 #include "app/commands.h"
 
 #include "app/command_compare.h"
+#include "app/command_conform.h"
 #include "app/command_devices.h"
 #include "app/command_inspect.h"
 #include "app/command_methods.h"
@@ -13,7 +14,7 @@ namespace torrance {
 std::vector<Command> allCommands()
 {
     return {renderCommand(),  referenceCommand(), inspectCommand(), compareCommand(),
-            methodsCommand(), probeCommand(),     devicesCommand()};
+            methodsCommand(), probeCommand(),     conformCommand(), devicesCommand()};
 }
 
 } // namespace torrance

@@ -21,10 +21,10 @@ std::filesystem::path cacheFolder(const GlobalOptions& global)
     return global.noCache ? std::filesystem::path() : userCacheFolder();
 }
 
-gpu::Device openDevice(const std::string& choice, const GlobalOptions& global)
+gpu::Device openDevice(const std::string& choice, const GlobalOptions& global, bool validation)
 {
     gpu::prepareDriverEnvironment(cacheFolder(global));
-    gpu::Device device({.choice = choice, .validation = false});
+    gpu::Device device({.choice = choice, .validation = validation});
     logInfo("device: " + device.description.name + ", " + device.description.driver + " " +
             device.description.driverVersion);
     return device;

@@ -14,7 +14,8 @@ void declareDeviceOption(CLI::App& app, std::string& choice);
 /// The user's cache folder; empty with --no-cache.
 std::filesystem::path cacheFolder(const GlobalOptions& global);
 
-/// Sets what drivers read from the environment, then opens the device.
-gpu::Device openDevice(const std::string& choice, const GlobalOptions& global);
+/// Sets what drivers read from the environment, then opens the device; an Error (noDevice) where `validation` asks for
+/// a layer that is not there.
+gpu::Device openDevice(const std::string& choice, const GlobalOptions& global, bool validation = false);
 
 } // namespace torrance

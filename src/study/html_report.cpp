@@ -10,23 +10,25 @@
 namespace torrance {
 namespace {
 
-// Pictures shrink to the page's width, never below it; wide tables scroll by themselves, so that the page does not.
+// Pictures shrink to the page's width; wide tables scroll by themselves, so that the page does not. Behind what is
+// transparent lies a grey, on which black and white are both seen.
 constexpr const char* kStyle = R"(:root { color-scheme: light dark; --text: #1c1c1e; --page: #ffffff; --line: #c9c9ce;
   --soft: #5c5c62; --good: #1a6e35; --bad: #b3121d; }
 @media (prefers-color-scheme: dark) {
   :root { --text: #e6e6ea; --page: #17171a; --line: #44444b; --soft: #a2a2aa; --good: #6fd08c; --bad: #ff8a8a; } }
-body { font: 16px/1.5 system-ui, sans-serif; color: var(--text); background: var(--page); max-width: 72rem;
+body { font: 16px/1.5 system-ui, sans-serif; color: var(--text); background: var(--page); max-width: 78rem;
   margin: 0 auto; padding: 1rem; overflow-wrap: break-word; }
 h1, h2, h3, h4 { line-height: 1.2; }
 .wide { overflow-x: auto; }
 table { border-collapse: collapse; font-variant-numeric: tabular-nums; overflow-wrap: normal; }
 th, td { text-align: left; vertical-align: top; padding: .25rem .75rem .25rem 0; border-bottom: 1px solid var(--line); }
+.wide td:last-child { min-width: 14rem; }
 .good { color: var(--good); }
 .bad { color: var(--bad); font-weight: bold; }
 .pictures { display: flex; flex-wrap: wrap; gap: 1rem; margin: 1rem 0; }
 figure { margin: 0; max-width: 100%; }
 figcaption { color: var(--soft); font-size: .875rem; contain: inline-size; }
-img { display: block; max-width: 100%; height: auto; image-rendering: pixelated; }
+img { background: #808080; display: block; max-width: 100%; height: auto; image-rendering: pixelated; }
 )";
 
 std::string_view classOf(HtmlMark mark)

@@ -140,6 +140,15 @@ std::string faultOf(const Method& method, const ShadingPoint& point, const vec3&
 
 } // namespace
 
+std::vector<const Method*> probedMethods()
+{
+    std::vector<const Method*> methods;
+    for (const Method& method : allMethods())
+        if (hasShadingFunction(method.slot) && method.slot != Slot::model)
+            methods.push_back(&method);
+    return methods;
+}
+
 ProbeCheck methodCheck(const Method& method)
 {
     ProbeCheck check{makeProbeTerm(method), probeGrid(),

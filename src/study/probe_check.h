@@ -18,6 +18,9 @@ struct ProbeCheck
     std::function<dvec3(const brdf::ShadingPoint&)> terms = {}; // of a difference: errors are relative to them, too
 };
 
+/// The methods that methodCheck takes: all with a shading function but models, which brdfCheck looks at.
+std::vector<const brdf::Method*> probedMethods();
+
 /// A method with a shading function, over probeGrid. Both sides are fed the same scalars: only the function's own
 /// arithmetic counts.
 ProbeCheck methodCheck(const brdf::Method& method);

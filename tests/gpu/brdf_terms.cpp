@@ -27,16 +27,7 @@ TEST_P(ScalarTerm, DeviceAgreesWithDoubleFedTheSameScalars)
     expectWithinAllowance(methodCheck(*GetParam()));
 }
 
-std::vector<const Method*> methodsWithShadingFunction()
-{
-    std::vector<const Method*> methods;
-    for (const Method& method : allMethods())
-        if (hasShadingFunction(method.slot) && method.slot != Slot::model) // a model is a WholeBrdf
-            methods.push_back(&method);
-    return methods;
-}
-
-INSTANTIATE_TEST_SUITE_P(Brdf, ScalarTerm, testing::ValuesIn(methodsWithShadingFunction()), [](const auto& instance) {
+INSTANTIATE_TEST_SUITE_P(Brdf, ScalarTerm, testing::ValuesIn(probedMethods()), [](const auto& instance) {
     return std::string(slotPrefix(instance.param->slot)) + "_" + std::string(instance.param->id);
 });
 
