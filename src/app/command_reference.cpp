@@ -2,6 +2,7 @@
 
 #include "app/camera_options.h"
 #include "app/environment_option.h"
+#include "app/interruption.h"
 #include "app/layer_output.h"
 #include "app/method_options.h"
 #include "app/option_value.h"
@@ -10,15 +11,18 @@
 #include "app/picture_options.h"
 #include "app/progress_line.h"
 #include "app/scene_input.h"
+#include "app/version.h"
 #include "brdf/brdf.h"
 #include "core/error.h"
 #include "core/log.h"
 #include "files/json_write.h"
+#include "reference/checkpoint.h"
 #include "reference/reference_picture.h"
 
 #include <CLI/CLI.hpp>
+#include <chrono>
 #include <cmath>
-#include <limits>
+#include <filesystem>
 
 namespace torrance {
 namespace {
@@ -31,6 +35,8 @@ struct Options
     std::optional<int> maxDirections;
     int pixelSamples = 1;
     std::string choice = "combined";
+    bool resume = false;
+    double checkpointSeconds = 30.0;
     SceneOptions scene;
     PictureOptions picture;
     CameraOptions camera;
@@ -69,6 +75,16 @@ void declareSampling(CLI::App& app, Options& o)
         ->group(group);
 }
 
+void declareCheckpoints(CLI::App& app, Options& o)
+{
+    app.add_flag("--resume", o.resume, "Go on with OUT.part, which an interrupted run left; begin where there is none")
+        ->group("Sampling");
+    app.add_option("--checkpoint", o.checkpointSeconds,
+                   "Seconds between writes of OUT.part, which keeps the finished tiles (default 30)")
+        ->group("Sampling")
+        ->check(CLI::Range(0.0, 86400.0));
+}
+
 void declare(CLI::App& app, Options& o)
 {
     app.add_option("inputs", o.inputs, "Scenes: .gltf or .glb; 'demo' is the built-in one")
@@ -77,6 +93,7 @@ void declare(CLI::App& app, Options& o)
     declareOutputOptions(app, o.output);
     declarePictureOptions(app, o.picture);
     declareSampling(app, o);
+    declareCheckpoints(app, o);
     declareSceneOptions(app, o.scene);
     declareCameraOptions(app, o.camera);
     declareEnvironmentOptions(app, o.environment);
@@ -176,17 +193,54 @@ struct Session
     }
 };
 
-ReferencePicture compute(Session& session, const std::string& input, const Scene& scene, const Camera& camera)
+/// The file beside a picture that keeps what is finished of it; empty for standard output, which has no place beside
+/// it.
+std::string checkpointOf(const std::string& output)
 {
+    return output == "-" ? "" : output + ".part";
+}
+
+ReferencePicture beginOrResume(const Session& session, const std::string& checkpoint, const ContentHash& inputs)
+{
+    const bool exists = !checkpoint.empty() && std::filesystem::exists(checkpoint);
+    if (exists && session.options.resume) {
+        logInfo("going on with " + checkpoint);
+        return readCheckpoint(checkpoint, session.settings, inputs);
+    }
+    if (exists)
+        logWarning(checkpoint + ": left by an interrupted run, and not used without --resume");
+    return emptyReference(session.settings.width, session.settings.height);
+}
+
+ReferencePicture compute(Session& session, const std::string& input, const Scene& scene, const Camera& camera,
+                         const std::string& checkpoint)
+{
+    using Clock = std::chrono::steady_clock;
+    const ContentHash inputs = hashOfInputs(scene, camera, session.settings, versionText());
+    ReferencePicture picture = beginOrResume(session, checkpoint, inputs);
     const PixelEstimator estimator(scene, camera, session.settings);
-    ReferencePicture picture = emptyReference(session.settings.width, session.settings.height);
+    const Interruption interruption;
     ProgressLine progress(input);
+    Clock::time_point written = Clock::now();
     const ReferenceWatch watch = {
-        .tileDone = [&](const ReferencePicture&, std::size_t done,
-                        std::size_t all) { progress.show(static_cast<int>(done), static_cast<int>(all)); },
-        .stop = [] { return false; }};
-    completeReference(estimator, session.settings, picture, watch);
-    return picture;
+        .tileDone =
+            [&](const ReferencePicture& part, std::size_t done, std::size_t all) {
+                progress.show(static_cast<int>(done), static_cast<int>(all));
+                const double seconds = std::chrono::duration<double>(Clock::now() - written).count();
+                if (checkpoint.empty() || done == all || seconds < session.options.checkpointSeconds)
+                    return;
+                writeCheckpoint(checkpoint, part, inputs);
+                written = Clock::now();
+            },
+        .stop = [&] { return interruption.came(); }};
+    if (completeReference(estimator, session.settings, picture, watch))
+        return picture;
+    progress.clear();
+    if (!checkpoint.empty()) {
+        writeCheckpoint(checkpoint, picture, inputs);
+        logError("interrupted: " + checkpoint + " keeps what is finished; repeat the command with --resume");
+    }
+    interruption.obey();
 }
 
 Json draw(Session& session, const std::string& input, const std::string& output)
@@ -198,13 +252,16 @@ Json draw(Session& session, const std::string& input, const std::string& output)
     warnOfWhatIsLeftOut(scene, input);
     const double aspect = double(session.settings.width) / session.settings.height;
     const Camera camera = chooseCamera(cameraOptionsFor(session.options.camera, input), scene, aspect);
-    ReferencePicture picture = phases.time("integrate", [&] { return compute(session, input, scene, camera); });
+    ReferencePicture picture =
+        phases.time("integrate", [&] { return compute(session, input, scene, camera, checkpointOf(output)); });
     Json::Object result = precisionOf(picture);
     const bool exr = imageFormatOf(output) == ImageFormat::exr;
     const auto files = phases.time("write", [&] {
         return writeWithLayers(output, pictureOf(std::move(picture)), exr ? "all" : "",
                                writeSettings(session.options.output));
     });
+    if (const std::string checkpoint = checkpointOf(output); !checkpoint.empty())
+        std::filesystem::remove(checkpoint);
     result.emplace_back("input", input);
     result.emplace_back("output", output);
     result.emplace_back("files", Json::Array(files.begin(), files.end()));

@@ -89,7 +89,7 @@ dvec3 LightIntegral::contribution(const dvec3& l) const
     brdf::ShadingPoint point = brdf::makeShadingPoint(dvec3(0, 0, 1), view, l, material.perceptualRoughness);
     point.baseColor = material.baseColor;
     point.metallic = material.metallic;
-    return brdf::evaluateBrdf(preset, point) * light.radiance * (openness(source, material) * l.z / mean);
+    return brdf::evaluateTerms(preset, point).response() * light.radiance * (openness(source, material) / mean);
 }
 
 dvec3 LightIntegral::sumOfTurns(std::uint64_t key, std::uint32_t first, std::uint32_t turns) const

@@ -37,7 +37,7 @@ int exitCodeOf(int status)
 } // namespace
 
 Outcome runTorrance(const std::vector<std::string>& arguments, const std::vector<std::string>& environment,
-                    const std::string& outputFile)
+                    const std::string& outputFile, const std::function<void(int process)>& meanwhile)
 {
     const TestFolder folder;
     const std::string output = outputFile.empty() ? folder.file("output") : outputFile, errors = folder.file("errors");
@@ -62,6 +62,8 @@ Outcome runTorrance(const std::vector<std::string>& arguments, const std::vector
         posix_spawn(&child, words[0].c_str(), &files, nullptr, pointers(words).data(), pointers(variables).data());
     posix_spawn_file_actions_destroy(&files);
     EXPECT_EQ(failure, 0) << "cannot start " << words[0];
+    if (failure == 0 && meanwhile)
+        meanwhile(child);
     int status = 0;
     while (failure == 0 && waitpid(child, &status, 0) < 0 && errno == EINTR)
         continue;

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <filesystem>
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -15,9 +16,10 @@ struct Outcome
 };
 
 /// `torrance arguments...`, with an empty standard input. Extra environment variables as NAME=VALUE. Standard output
-/// goes to `outputFile` where that is given, and Outcome::output is empty then.
+/// goes to `outputFile` where that is given, and Outcome::output is empty then. `meanwhile` is called with the
+/// process's number while it runs.
 Outcome runTorrance(const std::vector<std::string>& arguments, const std::vector<std::string>& environment = {},
-                    const std::string& outputFile = "");
+                    const std::string& outputFile = "", const std::function<void(int process)>& meanwhile = {});
 
 /// Exactly one line, as errors are.
 bool isOneLine(const std::string& text);

@@ -1,10 +1,14 @@
 // `torrance reference` as a user meets it. What it computes is tested in tests/unit/reference.
 #include "program.h"
 
+#include <chrono>
+#include <csignal>
+#include <filesystem>
 #include <fstream>
 #include <gtest/gtest.h>
 #include <iterator>
 #include <nlohmann/json.hpp>
+#include <thread>
 
 namespace torrance::test {
 namespace {
@@ -50,6 +54,75 @@ TEST_F(Reference, TargetErrorIsMetWhereTheDirectionsSuffice)
     EXPECT_GT(widthOf({"--samples", "64"}), 0.05);
     // Each pixel's width is below 0.05 (|c| + 1 % of the mean |c|): summed over pixels, below 1.01 * 0.05 of the sum.
     EXPECT_LT(widthOf({"--samples", "64", "--target-error", "0.05", "--max-samples", "1000000"}), 1.01 * 0.05);
+}
+
+// Long enough that a signal arrives before the end.
+const std::vector<std::string> kLongWork = {"reference", "demo", "-r",           "48x32",
+                                            "--samples", "512",  "--checkpoint", "0"};
+
+TEST_F(Reference, AnInterruptedRunGoesOnToTheSameBits)
+{
+    const auto arguments = [&](const std::string& name, bool resume) {
+        std::vector<std::string> words = kLongWork;
+        words.insert(words.end(), {"-o", folder.file(name)});
+        if (resume)
+            words.emplace_back("--resume");
+        return words;
+    };
+    run(arguments("whole.exr", true)); // without a file to go on with it begins
+    for (const int signal : {SIGKILL, SIGTERM, SIGINT}) {
+        const std::string part = folder.file("part.exr.part");
+        const Outcome killed = runTorrance(arguments("part.exr", false), {}, "", [&](int process) {
+            while (!std::filesystem::exists(part) && kill(process, 0) == 0)
+                std::this_thread::sleep_for(std::chrono::milliseconds(1));
+            kill(process, signal);
+        });
+        ASSERT_EQ(killed.exitCode, 128 + signal) << "it ended too soon, or otherwise: " << killed.errors;
+        ASSERT_TRUE(std::filesystem::exists(part));
+        EXPECT_FALSE(std::filesystem::exists(folder.file("part.exr")));
+        EXPECT_EQ(signal != SIGKILL, killed.errors.find("--resume") != std::string::npos) << killed.errors;
+        run(arguments("part.exr", true));
+        EXPECT_EQ(contentOf("part.exr"), contentOf("whole.exr")) << signal;
+        EXPECT_FALSE(std::filesystem::exists(part)) << "nothing to go on with is left";
+        std::filesystem::remove(folder.file("part.exr"));
+    }
+}
+
+TEST_F(Reference, RefusesACheckpointOfOtherInputsAndADamagedOne)
+{
+    const std::string out = folder.file("a.exr"), part = out + ".part";
+    std::vector<std::string> words = kLongWork;
+    words.insert(words.end(), {"-o", out});
+    runTorrance(words, {}, "", [&](int process) {
+        while (!std::filesystem::exists(part) && kill(process, 0) == 0)
+            std::this_thread::sleep_for(std::chrono::milliseconds(1));
+        kill(process, SIGKILL);
+    });
+    words.emplace_back("--resume");
+    const auto expectRefused = [&](std::vector<std::string> more, const std::string& why) {
+        std::vector<std::string> all = words;
+        all.insert(all.end(), more.begin(), more.end());
+        const Outcome outcome = runTorrance(all);
+        EXPECT_EQ(outcome.exitCode, 3) << why;
+        EXPECT_TRUE(isOneLine(outcome.errors)) << outcome.errors;
+        EXPECT_NE(outcome.errors.find(why), std::string::npos) << outcome.errors;
+        EXPECT_NE(outcome.errors.find(part), std::string::npos) << outcome.errors;
+        EXPECT_FALSE(std::filesystem::exists(out));
+    };
+    for (const std::vector<std::string>& other : {std::vector<std::string>{"--preset", "gltf"},
+                                                  {"--orbit", "10,80"},
+                                                  {"-e", "sky"},
+                                                  {"--pixel-samples", "2"},
+                                                  {"--environment-rotation", "1"},
+                                                  {"--background", "transparent"}})
+        expectRefused(other, "other options");
+    const std::string good = contentOf("a.exr.part");
+    std::ofstream(part, std::ios::binary) << good.substr(0, good.size() - 1);
+    expectRefused({}, "damaged");
+    std::ofstream(part, std::ios::binary) << good.substr(0, good.size() - 1) << 'x';
+    expectRefused({}, "damaged");
+    std::ofstream(part, std::ios::binary) << "short";
+    expectRefused({}, "no checkpoint");
 }
 
 TEST_F(Reference, RefusesOptionsThatContradictEachOther)
