@@ -1,5 +1,15 @@
 // Light from an environment: split sum (Karis 2013) for the lobe, irradiance for the body, both dimmed by occlusion.
 #ifdef DFG_TABLE
+#ifdef DFG_FIT
+#include "environment/diffuse_weight.glsl"
+
+// (scale, bias, w, E) for a view direction and roughness, by the closed form that selected.glsl chose.
+vec4 directionalAlbedo(float NoV, float perceptualRoughness)
+{
+    vec2 terms = DFG_FIT(NoV, perceptualRoughness);
+    return vec4(terms, fittedDiffuseWeight(NoV), terms.x + terms.y);
+}
+#else
 #include "environment/dfg.glsl"
 layout(set = 0, binding = kBindDfg) uniform sampler2D dfgTable;
 
@@ -8,6 +18,7 @@ vec4 directionalAlbedo(float NoV, float perceptualRoughness)
 {
     return textureLod(dfgTable, dfgUv(NoV, perceptualRoughness, vec2(textureSize(dfgTable, 0))), 0.0);
 }
+#endif
 #endif
 
 #ifdef ENVIRONMENT_LIGHT
@@ -35,8 +46,9 @@ vec3 environmentLight(Surface s, float alpha, vec4 albedo)
     vec3 r = frame.environmentFromWorld * reflect(-s.view, s.normal);
     // The lobes of glTF's dielectric and metal (shaders/brdf/model/gltf.glsl), each under an environment of radiance 1.
     const vec3 dielectricF0 = vec3(kDielectricF0);
-    vec3 dielectric = dielectricF0 * albedo.x + albedo.y;
-    vec3 metal = s.baseColor * albedo.x + albedo.y;
+    // The bias of a fit may be negative; a table's is not.
+    vec3 dielectric = max(dielectricF0 * albedo.x + albedo.y, 0.0);
+    vec3 metal = max(s.baseColor * albedo.x + albedo.y, 0.0);
 #ifdef COMPENSATES
     dielectric *= SELECTED_multiple_scattering(dielectricF0, albedo.w);
     metal *= SELECTED_multiple_scattering(s.baseColor, albedo.w);

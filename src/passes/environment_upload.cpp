@@ -1,10 +1,9 @@
 #include "passes/environment_upload.h"
 
-#include "core/data_folder.h"
 #include "gpu/buffer.h"
 #include "gpu/commands.h"
+#include "passes/dfg_upload.h"
 #include "passes/light_cubes.h"
-#include "prepare/dfg_table.h"
 #include "prepare/irradiance.h"
 #include "prepare/panorama.h"
 
@@ -85,15 +84,11 @@ const gpu::DeviceImage& EnvironmentStore::panorama(const Image& radiance, const 
     return panoramas.emplace(key, upload(device, shape, std::as_bytes(std::span(texels)), "panorama")).first->second;
 }
 
-const gpu::DeviceImage& EnvironmentStore::dfgTable()
+const gpu::DeviceImage& EnvironmentStore::dfgTable(const brdf::DfgStorage& storage)
 {
-    if (!dfg) {
-        const DfgTable table = readDfgTable(dataFolder() / "dfg_ggx_smith_corr.bin");
-        const gpu::ImageShape shape = {.width = static_cast<std::uint32_t>(table.width),
-                                       .height = static_cast<std::uint32_t>(table.height)};
-        dfg = upload(device, shape, std::as_bytes(std::span(table.texels)), "directional albedos");
-    }
-    return *dfg;
+    const auto found = dfgTables.find(storage.id);
+    return found != dfgTables.end() ? found->second
+                                    : dfgTables.emplace(storage.id, uploadDfgTable(device, storage)).first->second;
 }
 
 EnvironmentImages EnvironmentStore::get(const Scene& scene, const ShadingPlan& plan)
@@ -114,7 +109,8 @@ EnvironmentImages EnvironmentStore::get(const Scene& scene, const ShadingPlan& p
             images.panorama = &panorama(radiance, content);
     }
     if (plan.dfgTable)
-        images.dfg = &dfgTable();
+        if (const brdf::DfgStorage* table = brdf::findDfgTable(plan.settings.methods.dfg->id)) // a fit has none
+            images.dfg = &dfgTable(*table);
     return images;
 }
 

@@ -1,6 +1,7 @@
 // Environments and the tables of their light on the device: only what a plan uses, each made once.
 #pragma once
 
+#include "brdf/dfg.h"
 #include "core/content_hash.h"
 #include "core/disk_cache.h"
 #include "gpu/image.h"
@@ -9,8 +10,8 @@
 #include <array>
 #include <filesystem>
 #include <map>
-#include <optional>
 #include <string>
+#include <string_view>
 #include <tuple>
 
 namespace torrance {
@@ -41,13 +42,13 @@ private:
     };
     const LightCubes& lightCubes(const Image& radiance, const ContentHash& content);
     const gpu::DeviceImage& panorama(const Image& radiance, const ContentHash& content);
-    const gpu::DeviceImage& dfgTable();
+    const gpu::DeviceImage& dfgTable(const brdf::DfgStorage& storage);
 
     const gpu::Device& device;
     DiskCache cache;
-    std::map<std::string, LightCubes> cubes;           // by the panorama's content
-    std::map<std::string, gpu::DeviceImage> panoramas; // likewise
-    std::optional<gpu::DeviceImage> dfg;
+    std::map<std::string, LightCubes> cubes;                // by the panorama's content
+    std::map<std::string, gpu::DeviceImage> panoramas;      // likewise
+    std::map<std::string_view, gpu::DeviceImage> dfgTables; // by the row
 };
 
 } // namespace torrance

@@ -1,13 +1,13 @@
 #include "passes/probe_pass.h"
 
-#include "core/data_folder.h"
+#include "brdf/dfg.h"
 #include "gpu/commands.h"
 #include "gpu/guard.h"
 #include "gpu/pipeline.h"
+#include "passes/dfg_upload.h"
 #include "passes/probe_row.h"
 #include "passes/sampler.h"
 #include "passes/targets.h"
-#include "prepare/dfg_table.h"
 #include "shaders/shared/bindings.h"
 
 #include <algorithm>
@@ -31,26 +31,8 @@ shared::ProbeRow rounded(const brdf::ShadingPoint& point)
 struct AlbedoTable
 {
     gpu::DeviceImage image;
-    vk::raii::Sampler sampler = nullptr;
+    vk::raii::Sampler sampler;
 };
-
-AlbedoTable uploadAlbedoTable(const gpu::Device& device)
-{
-    const DfgTable table = readDfgTable(dataFolder() / "dfg_ggx_smith_corr.bin");
-    using Usage = vk::ImageUsageFlagBits;
-    AlbedoTable uploaded = {.image = gpu::makeImage(device,
-                                                    {.width = static_cast<std::uint32_t>(table.width),
-                                                     .height = static_cast<std::uint32_t>(table.height),
-                                                     .format = vk::Format::eR32G32B32A32Sfloat},
-                                                    Usage::eSampled | Usage::eTransferDst, "directional albedos"),
-                            .sampler = makeTableSampler(device)};
-    const gpu::Buffer staging = gpu::makeBuffer(device, std::as_bytes(std::span(table.texels)),
-                                                vk::BufferUsageFlagBits::eTransferSrc, "directional albedos");
-    gpu::Commands commands(device);
-    gpu::copyToImage(commands, staging, uploaded.image, 4 * sizeof(float));
-    commands.submitAndWait();
-    return uploaded;
-}
 
 Image draw(const gpu::Device& device, const gpu::Pipeline& pipeline, const std::optional<AlbedoTable>& albedos,
            std::span<const brdf::ShadingPoint> points)
@@ -92,7 +74,7 @@ std::vector<vec3> probe(const gpu::Device& device, gpu::ShaderLibrary& shaders, 
                                                          {.name = "probe", .colorFormats = {kColorFormat}});
         std::optional<AlbedoTable> albedos;
         if (term.readsTable)
-            albedos = uploadAlbedoTable(device);
+            albedos.emplace(uploadDfgTable(device, *brdf::findDfgTable(term.table)), makeTableSampler(device));
         std::vector<vec3> values;
         values.reserve(points.size());
         for (std::size_t first = 0; first < points.size(); first += kMostRows) {

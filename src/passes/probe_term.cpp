@@ -45,11 +45,19 @@ std::string lookUp(const std::string& members)
            members + ")\n";
 }
 
-ProbeTerm makeTableTerm(brdf::DfgFormula formula)
+ProbeTerm makeDfgTerm(const brdf::Method& method, brdf::DfgFormula formula)
 {
-    return {.formula = [formula](const brdf::ShadingPoint& p) { return formula(seenCosine(p), p.perceptualRoughness); },
-            .selected = lookUp("xyz"),
-            .readsTable = true};
+    ProbeTerm term = {
+        .formula = [formula](const brdf::ShadingPoint& p) { return formula(seenCosine(p), p.perceptualRoughness); },
+        .selected = lookUp("xyz")};
+    if (brdf::findDfgTable(method.id)) {
+        term.readsTable = true;
+        term.table = method.id;
+    } else {
+        term.selected.insert(0, "#include \"" + brdf::glslPath(method) + "\"\n#define DFG_FIT " +
+                                    brdf::functionName(method) + "\n");
+    }
+    return term;
 }
 
 // A model is probed as the whole of the preset that it belongs to; the plainest of them for the model gltf.
@@ -74,7 +82,7 @@ ProbeTerm makeProbeTerm(const brdf::Method& method)
     if (method.slot == Slot::model)
         return makeBrdfTerm(presetOf(method));
     if (const auto* table = std::get_if<brdf::DfgFormula>(&method.formula))
-        return makeTableTerm(*table);
+        return makeDfgTerm(method, *table);
     if (!brdf::hasShadingFunction(method.slot))
         throw usageError("the slot " + std::string(brdf::slotName(method.slot)) + " has no function of a shading point",
                          "compare pictures instead: torrance render, torrance compare");

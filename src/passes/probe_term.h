@@ -6,6 +6,7 @@
 
 #include <functional>
 #include <string>
+#include <string_view>
 
 namespace torrance {
 
@@ -14,6 +15,7 @@ struct ProbeTerm
     std::function<dvec3(const brdf::ShadingPoint&)> formula; // scalars in all three channels
     std::string selected;                                    // text of selected.glsl for shaders/passes/probe.frag
     bool readsAlbedo = false;                                // the device is given E, the point's member
+    std::string_view table = "table";                        // the row of slot dfg that is looked up
     bool readsTable = false;                                 // the device looks up the table of directional albedos
 };
 

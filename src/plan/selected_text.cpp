@@ -1,5 +1,6 @@
 #include "plan/shading_plan.h"
 
+#include "brdf/dfg.h"
 #include "brdf/selection.h"
 
 namespace torrance {
@@ -66,7 +67,10 @@ std::string selectedText(const ShadingPlan& plan, const ShaderKey& key)
     define(text, "ENVIRONMENT_LIGHT", lit && plan.environmentLight);
     define(text, "IRRADIANCE_SH9",
            lit && plan.environmentLight && plan.settings.methods.environmentDiffuse->id == "sh9");
-    define(text, "DFG_TABLE", lit && (plan.environmentLight || (key.compensates && !plan.lights.empty())));
+    const bool readsAlbedo = lit && (plan.environmentLight || (key.compensates && !plan.lights.empty()));
+    define(text, "DFG_TABLE", readsAlbedo);
+    if (const brdf::Method* dfg = plan.settings.methods.dfg; readsAlbedo && !brdf::findDfgTable(dfg->id))
+        text += "#include \"" + brdf::glslPath(*dfg) + "\"\n#define DFG_FIT " + brdf::functionName(*dfg) + "\n";
     define(text, "COMPENSATES", key.compensates);
     defineUv(text, key.baseColor, "BASE_COLOR_UV", "inBaseColorUv");
     defineUv(text, key.metallicRoughness, "METALLIC_ROUGHNESS_UV", "inMetallicRoughnessUv");
