@@ -88,8 +88,9 @@ std::string extensionText(const ExtensionFact& extension)
 
 std::string factsText(const SceneFacts& facts)
 {
-    std::string text = fmt::format("  {} of glTF {}{}\n", facts.container, facts.version,
-                                   facts.generator.empty() ? "" : ", made by " + facts.generator);
+    std::string text =
+        fmt::format("  {}{}{}\n", facts.container, facts.version.empty() ? "" : " of glTF " + facts.version,
+                    facts.generator.empty() ? "" : ", made by " + facts.generator);
     if (!facts.copyright.empty())
         text += fmt::format("  copyright  {}\n", facts.copyright);
     for (const Counted& counted : kCounted) {
@@ -97,7 +98,9 @@ std::string factsText(const SceneFacts& facts)
         if (items.count() > 0)
             text += fmt::format("  {:<10} {}{}\n", counted.name, items.count(), namesText(items));
     }
-    text += fmt::format("  {:<10} {}\n  {:<10} {}\n", "primitives", facts.primitives, "accessors", facts.accessors);
+    text += fmt::format("  {:<10} {}\n", "primitives", facts.primitives);
+    if (facts.accessors > 0)
+        text += fmt::format("  {:<10} {}\n", "accessors", facts.accessors);
     for (const ExtensionFact& extension : facts.extensions)
         text += extensionText(extension);
     return text;
@@ -113,7 +116,7 @@ std::string drawnText(const LoadedScene& loaded)
 {
     const SceneFacts& facts = loaded.facts;
     std::string text = fmt::format("  drawn      {}: {} instances, {} vertices, {} triangles, {} lines, {} points\n",
-                                   facts.scene < 0 ? "all nodes" : fmt::format("scene {}", facts.scene),
+                                   facts.scene < 0 ? "everything" : fmt::format("scene {}", facts.scene),
                                    facts.instances, facts.vertices, facts.triangles, facts.lines, facts.points);
     if (facts.instances > 0) {
         const Bounds bounds = worldBounds(loaded.scene);
@@ -231,7 +234,7 @@ Json toJson(const Inspected& inspected)
 
 void declare(CLI::App& app, Options& options)
 {
-    app.add_option("FILE", options.files, "glTF files, .gltf or .glb")->required();
+    app.add_option("FILE", options.files, "glTF or OBJ files")->required();
     app.add_option("--scene", options.scene, "Scene to look at instead of the file's default")->type_name("NUMBER");
     app.add_flag("--allow-external", options.allowExternal, "Follow URIs that leave the folder of the file");
 }
@@ -260,7 +263,7 @@ ExitCode run(const Options& options, const GlobalOptions& global)
 
 Command inspectCommand()
 {
-    return makeCommand<Options>("inspect", "Say what glTF files hold and need", declare, run);
+    return makeCommand<Options>("inspect", "Say what glTF and OBJ files hold and need", declare, run);
 }
 
 } // namespace torrance

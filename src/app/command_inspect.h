@@ -4,7 +4,7 @@
 
 namespace torrance {
 
-/// `torrance inspect FILE...`: what glTF files hold and need, and whether they can be drawn.
+/// `torrance inspect FILE...`: what glTF and OBJ files hold and need, and whether they can be drawn.
 Command inspectCommand();
 
 } // namespace torrance

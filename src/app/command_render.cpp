@@ -40,7 +40,7 @@ constexpr int kMaxSamples = 4096;
 
 void declare(CLI::App& app, Options& o)
 {
-    app.add_option("inputs", o.inputs, "Scenes: .gltf or .glb; 'demo' is the built-in one")
+    app.add_option("inputs", o.inputs, "Scenes: .gltf, .glb or .obj; 'demo' is the built-in one")
         ->required()
         ->type_name("FILE...");
     declareOutputOptions(app, o.output);

@@ -11,7 +11,7 @@ using nlohmann::json;
 
 constexpr std::size_t kColumnAlignment = 4;
 
-ComponentType componentType(const json& object, const std::string& item, const GltfReport& report)
+ComponentType componentType(const json& object, const std::string& item, const LoadReport& report)
 {
     const auto value = object.at("componentType").get<std::int64_t>();
     for (const ComponentType type : {ComponentType::int8, ComponentType::uint8, ComponentType::int16,
@@ -21,7 +21,7 @@ ComponentType componentType(const json& object, const std::string& item, const G
     report.fail(item, "has the unknown componentType " + std::to_string(value), kRepair);
 }
 
-void setShape(GltfAccessor& accessor, const std::string& type, const std::string& item, const GltfReport& report)
+void setShape(GltfAccessor& accessor, const std::string& type, const std::string& item, const LoadReport& report)
 {
     struct Shape
     {
@@ -43,7 +43,7 @@ void setShape(GltfAccessor& accessor, const std::string& type, const std::string
 /// `count` elements of `elementBytes` each, `stride` apart, from `offset` on in `view`.
 std::span<const std::byte> rangeOf(const GltfBufferView& view, std::size_t offset, std::size_t count,
                                    std::size_t stride, std::size_t elementBytes, std::size_t alignment,
-                                   const std::string& item, const GltfReport& report)
+                                   const std::string& item, const LoadReport& report)
 {
     if ((view.offset + offset) % alignment != 0 || stride % alignment != 0)
         report.fail(item, "is misaligned: its offset and stride are not multiples of " + std::to_string(alignment),
@@ -64,7 +64,7 @@ std::span<const std::byte> rangeOf(const GltfBufferView& view, std::size_t offse
 }
 
 SparseElements checkSparse(const json& object, const GltfAccessor& accessor, const GltfBuffers& buffers,
-                           const std::string& item, const GltfReport& report)
+                           const std::string& item, const LoadReport& report)
 {
     SparseElements sparse;
     sparse.count = object.at("count").get<std::size_t>();
@@ -99,7 +99,7 @@ SparseElements checkSparse(const json& object, const GltfAccessor& accessor, con
 }
 
 GltfAccessor checkAccessor(const json& object, const std::string& item, const GltfBuffers& buffers,
-                           const GltfReport& report)
+                           const LoadReport& report)
 {
     GltfAccessor accessor;
     accessor.component = componentType(object, item, report);
@@ -158,7 +158,7 @@ std::size_t GltfAccessor::columnBytes() const
     return columns == 1 ? used : (used + kColumnAlignment - 1) / kColumnAlignment * kColumnAlignment;
 }
 
-std::vector<GltfAccessor> checkAccessors(const json& document, const GltfBuffers& buffers, const GltfReport& report)
+std::vector<GltfAccessor> checkAccessors(const json& document, const GltfBuffers& buffers, const LoadReport& report)
 {
     const json& objects = itemsOf(document, "accessors");
     std::vector<GltfAccessor> accessors;

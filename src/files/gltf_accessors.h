@@ -2,7 +2,7 @@
 #pragma once
 
 #include "files/gltf_buffers.h"
-#include "files/gltf_report.h"
+#include "files/load_report.h"
 
 #include <cstdint>
 #include <nlohmann/json_fwd.hpp>
@@ -55,6 +55,6 @@ struct GltfAccessor
 /// All accessors of `document` (checked by checkSchema). Errors (input): unknown type, a count of zero or beyond what
 /// its view holds, misaligned, elements that overlap, sparse indices that do not increase or lie past the end.
 std::vector<GltfAccessor> checkAccessors(const nlohmann::json& document, const GltfBuffers& buffers,
-                                         const GltfReport& report);
+                                         const LoadReport& report);
 
 } // namespace torrance

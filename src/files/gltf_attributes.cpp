@@ -74,7 +74,7 @@ const Rule* ruleFor(const std::string& semantic)
 }
 
 void check(const GltfAccessor& accessor, const Rule& rule, std::size_t vertices, bool quantizationDeclared,
-           const std::string& item, GltfReport& report)
+           const std::string& item, LoadReport& report)
 {
     if (accessor.count != vertices)
         report.fail(
@@ -92,7 +92,7 @@ void check(const GltfAccessor& accessor, const Rule& rule, std::size_t vertices,
 
 GltfAttributes::GltfAttributes(const std::map<std::string, int>& semantics, const std::vector<GltfAccessor>& all,
                                std::size_t vertices, bool quantizationDeclared, const std::string& item,
-                               GltfReport& messages)
+                               LoadReport& messages)
     : attributes(semantics), accessors(all), report(messages)
 {
     for (const auto& [semantic, index] : attributes)

@@ -16,7 +16,7 @@ public:
     /// are `vertices`, and a format that glTF or KHR_mesh_quantization allows: Errors (input) otherwise. A quantized
     /// format in a file that does not declare the extension is a warning.
     GltfAttributes(const std::map<std::string, int>& attributes, const std::vector<GltfAccessor>& accessors,
-                   std::size_t vertices, bool quantizationDeclared, const std::string& item, GltfReport& report);
+                   std::size_t vertices, bool quantizationDeclared, const std::string& item, LoadReport& report);
 
     bool has(const std::string& semantic) const;
 
@@ -29,7 +29,7 @@ private:
 
     const std::map<std::string, int>& attributes;
     const std::vector<GltfAccessor>& accessors;
-    GltfReport& report;
+    LoadReport& report;
 };
 
 } // namespace torrance

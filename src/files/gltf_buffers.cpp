@@ -22,7 +22,7 @@ std::vector<bool> usedBuffers(const json& document)
 
 /// The source's bytes: in the GLB, in the document, or in a file of which no more than needed is read.
 std::span<const std::byte> source(const json& buffer, std::size_t index, const GltfContainer& container,
-                                  const GltfOrigin& origin, const GltfReport& report, GltfBuffers& buffers)
+                                  const GltfOrigin& origin, const LoadReport& report, GltfBuffers& buffers)
 {
     const std::string item = itemName("buffers", index);
     const auto uri = buffer.find("uri");
@@ -40,7 +40,7 @@ std::span<const std::byte> source(const json& buffer, std::size_t index, const G
 }
 
 GltfBufferView viewOf(const json& view, std::size_t index, const std::vector<std::span<const std::byte>>& sources,
-                      const GltfReport& report)
+                      const LoadReport& report)
 {
     const std::span<const std::byte> bytes = sources[view.at("buffer").get<std::size_t>()];
     const auto offset = view.value("byteOffset", std::size_t(0));
@@ -59,7 +59,7 @@ GltfBufferView viewOf(const json& view, std::size_t index, const std::vector<std
 } // namespace
 
 GltfBuffers readBuffers(const json& document, const GltfContainer& container, const GltfOrigin& origin,
-                        const GltfReport& report)
+                        const LoadReport& report)
 {
     GltfBuffers buffers;
     const std::vector<bool> used = usedBuffers(document);

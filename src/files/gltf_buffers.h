@@ -2,7 +2,7 @@
 #pragma once
 
 #include "files/gltf_container.h"
-#include "files/gltf_report.h"
+#include "files/load_report.h"
 
 #include <cstdint>
 #include <filesystem>
@@ -36,6 +36,6 @@ struct GltfBuffers
 /// says, as glTF allows, never shorter. Errors (input): a source missing, refused, too short or a folder, a view that
 /// leaves its buffer or has an impossible stride.
 GltfBuffers readBuffers(const nlohmann::json& document, const GltfContainer& container, const GltfOrigin& origin,
-                        const GltfReport& report);
+                        const LoadReport& report);
 
 } // namespace torrance

@@ -24,7 +24,7 @@ bool setRigid(dmat4& rigid, const dmat4& world)
 }
 
 void setPerspective(Camera& camera, const tinygltf::PerspectiveCamera& source, const std::string& item,
-                    const GltfReport& report)
+                    const LoadReport& report)
 {
     if (!(source.yfov > 0.0 && source.yfov < kPi))
         report.fail(item, "has a yfov that is not between 0 and pi", "give it in radians");
@@ -40,7 +40,7 @@ void setPerspective(Camera& camera, const tinygltf::PerspectiveCamera& source, c
 }
 
 void setOrthographic(Camera& camera, const tinygltf::OrthographicCamera& source, const std::string& item,
-                     const GltfReport& report)
+                     const LoadReport& report)
 {
     if (source.xmag == 0.0 || source.ymag == 0.0)
         report.fail(item, "has an xmag or ymag of 0", kRepair);
@@ -56,7 +56,7 @@ void setOrthographic(Camera& camera, const tinygltf::OrthographicCamera& source,
 
 } // namespace
 
-Camera readCamera(const tinygltf::Model& model, std::size_t index, const dmat4& world, GltfReport& report)
+Camera readCamera(const tinygltf::Model& model, std::size_t index, const dmat4& world, LoadReport& report)
 {
     const tinygltf::Camera& source = model.cameras[index];
     const std::string item = itemName("cameras", index);

@@ -81,7 +81,7 @@ std::size_t replaceNonFinite(std::vector<float>& numbers)
 
 } // namespace
 
-std::vector<float> readNumbers(const GltfAccessor& accessor, GltfReport& report)
+std::vector<float> readNumbers(const GltfAccessor& accessor, LoadReport& report)
 {
     const std::size_t width = static_cast<std::size_t>(accessor.rows) * static_cast<std::size_t>(accessor.columns);
     const std::size_t packed = accessor.columnBytes() * static_cast<std::size_t>(accessor.columns);

@@ -29,7 +29,7 @@ std::vector<std::string> extensionNames(const nlohmann::json& document, const ch
     return itemsOf(document, array).get<std::vector<std::string>>();
 }
 
-void checkExtensions(const nlohmann::json& document, GltfReport& report)
+void checkExtensions(const nlohmann::json& document, LoadReport& report)
 {
     std::string missing;
     std::vector<std::string> required = extensionNames(document, "extensionsRequired");

@@ -1,7 +1,7 @@
 // Which extensions of glTF are drawn.
 #pragma once
 
-#include "files/gltf_report.h"
+#include "files/load_report.h"
 
 #include <nlohmann/json_fwd.hpp>
 #include <span>
@@ -16,6 +16,6 @@ bool isSupportedExtension(std::string_view name);
 std::vector<std::string> extensionNames(const nlohmann::json& document, const char* array);
 
 /// An Error (input) names each required extension that is not supported; each one merely used is a warning.
-void checkExtensions(const nlohmann::json& document, GltfReport& report);
+void checkExtensions(const nlohmann::json& document, LoadReport& report);
 
 } // namespace torrance

@@ -11,7 +11,7 @@ class InstanceAttributes
 {
 public:
     InstanceAttributes(const tinygltf::Value& source, const std::vector<GltfAccessor>& all, const std::string& name,
-                       GltfReport& messages)
+                       LoadReport& messages)
         : attributes(source.Get("attributes")), accessors(all), item(name), report(messages)
     {
         for (const std::string& semantic : attributes.Keys()) {
@@ -47,14 +47,14 @@ private:
     const tinygltf::Value& attributes;
     const std::vector<GltfAccessor>& accessors;
     std::string item;
-    GltfReport& report;
+    LoadReport& report;
 };
 
 } // namespace
 
 std::optional<std::vector<dmat4>> instanceTransforms(const tinygltf::Node& node,
                                                      const std::vector<GltfAccessor>& accessors, std::size_t most,
-                                                     const std::string& item, GltfReport& report)
+                                                     const std::string& item, LoadReport& report)
 {
     const auto extension = node.extensions.find("EXT_mesh_gpu_instancing");
     if (extension == node.extensions.end())

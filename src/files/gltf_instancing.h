@@ -16,6 +16,6 @@ namespace torrance {
 /// attributes of unequal counts, of formats that the extension does not allow, more than `most` instances.
 std::optional<std::vector<dmat4>> instanceTransforms(const tinygltf::Node& node,
                                                      const std::vector<GltfAccessor>& accessors, std::size_t most,
-                                                     const std::string& item, GltfReport& report);
+                                                     const std::string& item, LoadReport& report);
 
 } // namespace torrance

@@ -8,7 +8,7 @@ namespace {
 /// pi/2 written with a few digits, as files have it, may be above it by this much.
 constexpr double kAngleTolerance = 1e-4;
 
-Light::Kind kindOf(const std::string& type, const std::string& item, const GltfReport& report)
+Light::Kind kindOf(const std::string& type, const std::string& item, const LoadReport& report)
 {
     if (type == "directional")
         return Light::Kind::directional;
@@ -19,7 +19,7 @@ Light::Kind kindOf(const std::string& type, const std::string& item, const GltfR
     report.fail(item, "has the unknown type \"" + type + "\"", "use directional, point or spot");
 }
 
-double atLeastZero(double value, const std::string& item, GltfReport& report)
+double atLeastZero(double value, const std::string& item, LoadReport& report)
 {
     if (value >= 0.0)
         return value;
@@ -28,7 +28,7 @@ double atLeastZero(double value, const std::string& item, GltfReport& report)
 }
 
 /// extras.radius of a point or spot light: glTF itself gives lights no size.
-double radiusOf(const tinygltf::Light& source, Light::Kind kind, const std::string& item, GltfReport& report)
+double radiusOf(const tinygltf::Light& source, Light::Kind kind, const std::string& item, LoadReport& report)
 {
     if (!source.extras.IsObject() || !source.extras.Has("radius"))
         return 0.0;
@@ -42,7 +42,7 @@ double radiusOf(const tinygltf::Light& source, Light::Kind kind, const std::stri
     return radius;
 }
 
-void setCone(Light& light, const tinygltf::SpotLight& spot, const std::string& item, const GltfReport& report)
+void setCone(Light& light, const tinygltf::SpotLight& spot, const std::string& item, const LoadReport& report)
 {
     const bool ordered = spot.innerConeAngle >= 0.0 && spot.innerConeAngle < spot.outerConeAngle;
     if (!ordered || spot.outerConeAngle > kPi / 2.0 + kAngleTolerance)
@@ -53,7 +53,7 @@ void setCone(Light& light, const tinygltf::SpotLight& spot, const std::string& i
 
 } // namespace
 
-Light readLight(const tinygltf::Model& model, std::size_t index, const dmat4& world, GltfReport& report)
+Light readLight(const tinygltf::Model& model, std::size_t index, const dmat4& world, LoadReport& report)
 {
     const tinygltf::Light& source = model.lights[index];
     const std::string item = itemName("extensions/KHR_lights_punctual/lights", index);

@@ -1,7 +1,7 @@
 // KHR_lights_punctual.
 #pragma once
 
-#include "files/gltf_report.h"
+#include "files/load_report.h"
 #include "scene/scene.h"
 
 namespace tinygltf {
@@ -14,6 +14,6 @@ namespace torrance {
 /// nor its range. Errors (input): an unknown type, cone angles without 0 <= inner < outer <= pi/2, a range that is not
 /// above zero, an extras.radius (metres, point and spot lights) that is no length. Negative intensities and colours
 /// become zero with a warning.
-Light readLight(const tinygltf::Model& model, std::size_t index, const dmat4& world, GltfReport& report);
+Light readLight(const tinygltf::Model& model, std::size_t index, const dmat4& world, LoadReport& report);
 
 } // namespace torrance

@@ -14,7 +14,7 @@ constexpr double kNoLimit = std::numeric_limits<double>::infinity();
 class MaterialReader
 {
 public:
-    MaterialReader(const tinygltf::Material& from, const std::string& name, GltfReport& messages)
+    MaterialReader(const tinygltf::Material& from, const std::string& name, LoadReport& messages)
         : source(from), item(name), report(messages)
     {
     }
@@ -136,12 +136,12 @@ private:
 
     const tinygltf::Material& source;
     std::string item;
-    GltfReport& report;
+    LoadReport& report;
 };
 
 } // namespace
 
-GltfMaterial readMaterial(const tinygltf::Model& model, std::size_t index, GltfReport& report)
+GltfMaterial readMaterial(const tinygltf::Model& model, std::size_t index, LoadReport& report)
 {
     return MaterialReader(model.materials[index], itemName("materials", index), report).read();
 }

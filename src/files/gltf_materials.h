@@ -1,7 +1,7 @@
 // Materials of glTF as materials of the scene.
 #pragma once
 
-#include "files/gltf_report.h"
+#include "files/load_report.h"
 #include "scene/material.h"
 
 #include <array>
@@ -22,6 +22,6 @@ struct GltfMaterial
 /// Material `index` of the file. Factors outside their range are clamped with a warning. KHR_texture_transform becomes
 /// a matrix, its texCoord replaces the texture's own. A material may sample any two sets of texture coordinates; a
 /// third is an Error (input), as is an unknown alphaMode.
-GltfMaterial readMaterial(const tinygltf::Model& model, std::size_t index, GltfReport& report);
+GltfMaterial readMaterial(const tinygltf::Model& model, std::size_t index, LoadReport& report);
 
 } // namespace torrance

@@ -29,7 +29,7 @@ json structureOf(const json& document)
 }
 
 /// tinygltf drops a primitive that it cannot read without a word.
-void checkPrimitiveCounts(const json& document, const tinygltf::Model& model, const GltfReport& report)
+void checkPrimitiveCounts(const json& document, const tinygltf::Model& model, const LoadReport& report)
 {
     const json& meshes = itemsOf(document, "meshes");
     for (std::size_t i = 0; i < meshes.size(); ++i)
@@ -47,7 +47,7 @@ std::string joinedLines(std::string text)
 
 } // namespace
 
-tinygltf::Model readModel(const json& document, const GltfReport& report)
+tinygltf::Model readModel(const json& document, const LoadReport& report)
 {
     const std::string text = structureOf(document).dump();
     tinygltf::TinyGLTF reader;

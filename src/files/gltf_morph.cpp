@@ -43,7 +43,7 @@ private:
     std::vector<dvec3> sums;
 };
 
-void warnOfOtherAttributes(const std::map<std::string, int>& target, const std::string& item, GltfReport& report)
+void warnOfOtherAttributes(const std::map<std::string, int>& target, const std::string& item, LoadReport& report)
 {
     for (const auto& [semantic, accessor] : target)
         if (semantic.starts_with("TEXCOORD_") || semantic.starts_with("COLOR_"))
@@ -53,7 +53,7 @@ void warnOfOtherAttributes(const std::map<std::string, int>& target, const std::
 } // namespace
 
 void applyMorphTargets(Primitive& primitive, const tinygltf::Primitive& source, const std::vector<double>& weights,
-                       const GltfGeometry& geometry, const std::string& item, GltfReport& report)
+                       const GltfGeometry& geometry, const std::string& item, LoadReport& report)
 {
     if (weights.size() != source.targets.size())
         report.fail(item,

@@ -17,6 +17,6 @@ struct GltfGeometry;
 /// target. Differences of other attributes are left out with a warning. Errors (input): a number
 /// of weights or elements that does not fit, a sum that overflows.
 void applyMorphTargets(Primitive& primitive, const tinygltf::Primitive& source, const std::vector<double>& weights,
-                       const GltfGeometry& geometry, const std::string& item, GltfReport& report);
+                       const GltfGeometry& geometry, const std::string& item, LoadReport& report);
 
 } // namespace torrance

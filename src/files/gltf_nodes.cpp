@@ -16,7 +16,7 @@ constexpr double kUnitTolerance = 1e-3;
 /// The bottom row of a matrix written with float rounding differs from 0 0 0 1 by no more than this.
 constexpr double kAffineTolerance = 1e-6;
 
-dmat4 matrixOf(const std::vector<double>& values, const std::string& item, const GltfReport& report)
+dmat4 matrixOf(const std::vector<double>& values, const std::string& item, const LoadReport& report)
 {
     dmat4 matrix;
     for (int column = 0; column < 4; ++column)
@@ -30,7 +30,7 @@ dmat4 matrixOf(const std::vector<double>& values, const std::string& item, const
     return matrix;
 }
 
-dvec4 rotationOf(const std::vector<double>& values, const std::string& item, GltfReport& report)
+dvec4 rotationOf(const std::vector<double>& values, const std::string& item, LoadReport& report)
 {
     const dvec4 quaternion(values[0], values[1], values[2], values[3]);
     const double length = glm::length(quaternion);
@@ -57,7 +57,7 @@ bool isFinite(const dmat4& matrix)
 
 } // namespace
 
-GltfNodeTree checkNodeTree(const nlohmann::json& document, const GltfReport& report)
+GltfNodeTree checkNodeTree(const nlohmann::json& document, const LoadReport& report)
 {
     const nlohmann::json& nodes = itemsOf(document, "nodes");
     GltfNodeTree tree;
@@ -89,7 +89,7 @@ GltfNodeTree checkNodeTree(const nlohmann::json& document, const GltfReport& rep
                 "stands in a cycle: it is its own ancestor or hangs below one that is", kRepair);
 }
 
-dmat4 localTransform(const tinygltf::Node& node, const std::string& item, GltfReport& report)
+dmat4 localTransform(const tinygltf::Node& node, const std::string& item, LoadReport& report)
 {
     if (!node.matrix.empty())
         return matrixOf(node.matrix, item, report);
@@ -97,7 +97,7 @@ dmat4 localTransform(const tinygltf::Node& node, const std::string& item, GltfRe
     return composeTransform(vectorOf(node.translation, dvec3(0.0)), rotation, vectorOf(node.scale, dvec3(1.0)));
 }
 
-std::vector<dmat4> worldTransforms(const tinygltf::Model& model, const GltfNodeTree& tree, GltfReport& report)
+std::vector<dmat4> worldTransforms(const tinygltf::Model& model, const GltfNodeTree& tree, LoadReport& report)
 {
     std::vector<dmat4> worlds(model.nodes.size(), dmat4(1.0));
     for (const int index : tree.parentFirst) {

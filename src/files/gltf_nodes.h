@@ -1,7 +1,7 @@
 // The node hierarchy: a forest, and where each node stands in the world.
 #pragma once
 
-#include "files/gltf_report.h"
+#include "files/load_report.h"
 #include "math/vector.h"
 
 #include <nlohmann/json_fwd.hpp>
@@ -21,14 +21,14 @@ struct GltfNodeTree
 
 /// Of a document that passed checkSchema. Errors (input): a node with two parents or below itself. Walks without
 /// recursion: a chain of a million nodes is no deeper than one.
-GltfNodeTree checkNodeTree(const nlohmann::json& document, const GltfReport& report);
+GltfNodeTree checkNodeTree(const nlohmann::json& document, const LoadReport& report);
 
 /// glTF 2.0, 3.5.2: the matrix, or translation * rotation * scale. Rotations are normalised; one that is far from unit
 /// length is a warning, one of length zero or a matrix that is no affine map an error (input).
-dmat4 localTransform(const tinygltf::Node& node, const std::string& item, GltfReport& report);
+dmat4 localTransform(const tinygltf::Node& node, const std::string& item, LoadReport& report);
 
 /// worldFromNode of every node, whatever scene holds it. An Error (input) where one overflows.
-std::vector<dmat4> worldTransforms(const tinygltf::Model& model, const GltfNodeTree& tree, GltfReport& report);
+std::vector<dmat4> worldTransforms(const tinygltf::Model& model, const GltfNodeTree& tree, LoadReport& report);
 
 /// The nodes of a scene in document order, parents before children, each once.
 std::vector<int> nodesOfScene(const tinygltf::Model& model, const std::vector<int>& roots);

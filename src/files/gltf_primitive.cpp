@@ -7,6 +7,7 @@
 #include "files/gltf_normals.h"
 #include "files/gltf_skin.h"
 #include "files/gltf_topology.h"
+#include "scene/primitive_bounds.h"
 
 #include <numeric>
 
@@ -15,7 +16,7 @@ namespace {
 
 /// Adds to what was read so far, before anything is allocated for it.
 void charge(std::size_t& soFar, std::size_t count, std::size_t most, const char* what, const std::string& item,
-            const GltfReport& report)
+            const LoadReport& report)
 {
     if (count > most || soFar > most - count)
         report.fail(item, "brings the file to more than " + std::to_string(most) + " " + what, "split the model");
@@ -30,7 +31,7 @@ std::size_t vertexCount(const GltfGeometry& geometry, const tinygltf::Primitive&
 }
 
 std::vector<std::uint32_t> readIndexList(GltfGeometry& geometry, const tinygltf::Primitive& source,
-                                         std::size_t vertices, const std::string& item, const GltfReport& report)
+                                         std::size_t vertices, const std::string& item, const LoadReport& report)
 {
     const GltfAccessor* accessor =
         source.indices < 0 ? nullptr : &geometry.accessors[static_cast<std::size_t>(source.indices)];
@@ -60,7 +61,7 @@ std::vector<std::uint32_t> readIndexList(GltfGeometry& geometry, const tinygltf:
 }
 
 void readUvs(Primitive& primitive, const GltfAttributes& attributes, const std::array<int, 2>& uvSets,
-             const std::array<bool, 2>& textured, const std::string& item, GltfReport& report)
+             const std::array<bool, 2>& textured, const std::string& item, LoadReport& report)
 {
     for (std::size_t slot = 0; slot < 2; ++slot) {
         primitive.uvs[slot] = attributes.read<2>("TEXCOORD_" + std::to_string(uvSets[slot]));
@@ -73,7 +74,7 @@ void readUvs(Primitive& primitive, const GltfAttributes& attributes, const std::
 }
 
 void readVertices(Primitive& primitive, const GltfAttributes& attributes, const std::array<int, 2>& uvSets,
-                  const std::array<bool, 2>& textured, const std::string& item, GltfReport& report)
+                  const std::array<bool, 2>& textured, const std::string& item, LoadReport& report)
 {
     primitive.positions = attributes.read<3>("POSITION");
     primitive.normals = attributes.read<3>("NORMAL");
@@ -82,7 +83,7 @@ void readVertices(Primitive& primitive, const GltfAttributes& attributes, const 
     readUvs(primitive, attributes, uvSets, textured, item, report);
 }
 
-void finishDirections(Primitive& primitive, const std::string& item, GltfReport& report)
+void finishDirections(Primitive& primitive, const std::string& item, LoadReport& report)
 {
     if (primitive.normals.empty()) {
         primitive.tangents.clear(); // glTF 2.0, 3.7.2.1: tangents without normals are ignored
@@ -98,15 +99,6 @@ void finishDirections(Primitive& primitive, const std::string& item, GltfReport&
     }
 }
 
-void setBounds(Primitive& primitive)
-{
-    primitive.boundsMin = primitive.boundsMax = dvec3(primitive.positions[primitive.indices[0]]);
-    for (const std::uint32_t index : primitive.indices) {
-        primitive.boundsMin = glm::min(primitive.boundsMin, dvec3(primitive.positions[index]));
-        primitive.boundsMax = glm::max(primitive.boundsMax, dvec3(primitive.positions[index]));
-    }
-}
-
 std::string nameOf(const tinygltf::Mesh& mesh, int index, std::size_t number)
 {
     const std::string name = mesh.name.empty() ? "mesh " + std::to_string(index) : mesh.name;
@@ -117,7 +109,7 @@ std::string nameOf(const tinygltf::Mesh& mesh, int index, std::size_t number)
 
 std::optional<Primitive> readPrimitive(GltfGeometry& geometry, int meshIndex, std::size_t number, const GltfPose& pose,
                                        const std::array<int, 2>& uvSets, const std::array<bool, 2>& textured,
-                                       GltfReport& report)
+                                       LoadReport& report)
 {
     const tinygltf::Mesh& mesh = geometry.model.meshes[static_cast<std::size_t>(meshIndex)];
     const tinygltf::Primitive& source = mesh.primitives[number];

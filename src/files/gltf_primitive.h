@@ -38,6 +38,6 @@ struct GltfPose
 /// (input): whatever glTF does not allow, an index past the vertices, more than the limits.
 std::optional<Primitive> readPrimitive(GltfGeometry& geometry, int mesh, std::size_t number, const GltfPose& pose,
                                        const std::array<int, 2>& uvSets, const std::array<bool, 2>& textured,
-                                       GltfReport& report);
+                                       LoadReport& report);
 
 } // namespace torrance

@@ -20,7 +20,7 @@ namespace {
 class SceneBuilder
 {
 public:
-    SceneBuilder(const GltfDocument& from, GltfReport& messages)
+    SceneBuilder(const GltfDocument& from, LoadReport& messages)
         : document(from), report(messages), model(readModel(from.json, messages)),
           worlds(worldTransforms(model, from.tree, messages)), geometry{model, from.accessors, from.limits,
                                                                         quantizationDeclared(from)}
@@ -164,7 +164,7 @@ private:
     }
 
     const GltfDocument& document;
-    GltfReport& report;
+    LoadReport& report;
     tinygltf::Model model;
     std::vector<dmat4> worlds;
     GltfGeometry geometry;
@@ -176,7 +176,7 @@ private:
 
 } // namespace
 
-int sceneNumber(const nlohmann::json& document, const std::optional<int>& chosen, const GltfReport& report)
+int sceneNumber(const nlohmann::json& document, const std::optional<int>& chosen, const LoadReport& report)
 {
     const auto count = static_cast<int>(itemsOf(document, "scenes").size());
     if (!chosen)
@@ -187,7 +187,7 @@ int sceneNumber(const nlohmann::json& document, const std::optional<int>& chosen
     return *chosen;
 }
 
-Scene buildScene(const GltfDocument& document, int number, GltfReport& report)
+Scene buildScene(const GltfDocument& document, int number, LoadReport& report)
 {
     return SceneBuilder(document, report).build(number);
 }

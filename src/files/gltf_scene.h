@@ -24,9 +24,9 @@ struct GltfDocument
 
 /// The number of the scene that is drawn: `chosen`, the file's default, the first; -1 where the file has no scenes.
 /// Errors: usage, where there is no scene `chosen`.
-int sceneNumber(const nlohmann::json& document, const std::optional<int>& chosen, const GltfReport& report);
+int sceneNumber(const nlohmann::json& document, const std::optional<int>& chosen, const LoadReport& report);
 
 /// Scene `number` of the document; all root nodes where it is -1.
-Scene buildScene(const GltfDocument& document, int number, GltfReport& report);
+Scene buildScene(const GltfDocument& document, int number, LoadReport& report);
 
 } // namespace torrance

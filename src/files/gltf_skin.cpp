@@ -15,7 +15,7 @@ struct Influences
     std::vector<std::vector<vec4>> weights;
 };
 
-Influences readInfluences(const GltfAttributes& attributes, const std::string& item, const GltfReport& report)
+Influences readInfluences(const GltfAttributes& attributes, const std::string& item, const LoadReport& report)
 {
     Influences influences;
     for (int set = 0; attributes.has("JOINTS_" + std::to_string(set)); ++set) {
@@ -30,7 +30,7 @@ Influences readInfluences(const GltfAttributes& attributes, const std::string& i
 }
 
 dmat4 blended(const Influences& influences, std::size_t vertex, const std::vector<dmat4>& joints,
-              const std::string& item, const GltfReport& report)
+              const std::string& item, const LoadReport& report)
 {
     dmat4 sum(0.0);
     double total = 0.0;
@@ -56,7 +56,7 @@ dmat4 blended(const Influences& influences, std::size_t vertex, const std::vecto
 } // namespace
 
 std::vector<dmat4> jointTransforms(const tinygltf::Model& model, int index, const std::vector<dmat4>& worlds,
-                                   const std::vector<GltfAccessor>& accessors, GltfReport& report)
+                                   const std::vector<GltfAccessor>& accessors, LoadReport& report)
 {
     const tinygltf::Skin& skin = model.skins[static_cast<std::size_t>(index)];
     const std::string item = itemName("skins", static_cast<std::size_t>(index));
@@ -84,7 +84,7 @@ std::vector<dmat4> jointTransforms(const tinygltf::Model& model, int index, cons
 }
 
 void applySkin(Primitive& primitive, const GltfAttributes& attributes, const std::vector<dmat4>& joints,
-               const std::string& item, const GltfReport& report)
+               const std::string& item, const LoadReport& report)
 {
     const Influences influences = readInfluences(attributes, item, report);
     for (std::size_t i = 0; i < primitive.positions.size(); ++i) {

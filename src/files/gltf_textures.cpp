@@ -1,13 +1,11 @@
 #include "files/gltf_textures.h"
 
-#include "core/parallel.h"
+#include "files/encoded_image.h"
 #include "files/gltf_items.h"
 #include "files/gltf_model.h"
 #include "files/gltf_uri.h"
 #include "files/read_file.h"
 #include "files/texture_file.h"
-
-#include <exception>
 
 namespace torrance {
 namespace {
@@ -16,7 +14,7 @@ using nlohmann::json;
 
 constexpr int kUndefined = -1; // tinygltf: the file says nothing
 
-Wrap wrapOf(int value, const std::string& item, const GltfReport& report)
+Wrap wrapOf(int value, const std::string& item, const LoadReport& report)
 {
     switch (value) {
     case TINYGLTF_TEXTURE_WRAP_REPEAT:
@@ -30,7 +28,7 @@ Wrap wrapOf(int value, const std::string& item, const GltfReport& report)
     }
 }
 
-Filter magnifyOf(int value, const std::string& item, const GltfReport& report)
+Filter magnifyOf(int value, const std::string& item, const LoadReport& report)
 {
     if (value == TINYGLTF_TEXTURE_FILTER_NEAREST)
         return Filter::nearest;
@@ -39,7 +37,7 @@ Filter magnifyOf(int value, const std::string& item, const GltfReport& report)
     report.fail(item, "has the unknown magFilter " + std::to_string(value), "use 9728 or 9729");
 }
 
-void setMinify(Sampler& sampler, int value, const std::string& item, const GltfReport& report)
+void setMinify(Sampler& sampler, int value, const std::string& item, const LoadReport& report)
 {
     struct Row
     {
@@ -65,7 +63,7 @@ void setMinify(Sampler& sampler, int value, const std::string& item, const GltfR
     report.fail(item, "has the unknown minFilter " + std::to_string(value), "use 9728, 9729 or 9984 to 9987");
 }
 
-Sampler samplerOf(const tinygltf::Model& model, int index, const GltfReport& report)
+Sampler samplerOf(const tinygltf::Model& model, int index, const LoadReport& report)
 {
     Sampler sampler;
     if (index < 0)
@@ -79,7 +77,7 @@ Sampler samplerOf(const tinygltf::Model& model, int index, const GltfReport& rep
     return sampler;
 }
 
-int imageOf(const tinygltf::Texture& texture, const std::string& item, const GltfReport& report)
+int imageOf(const tinygltf::Texture& texture, const std::string& item, const LoadReport& report)
 {
     const auto webp = texture.extensions.find("EXT_texture_webp");
     if (webp != texture.extensions.end() && webp->second.Has("source"))
@@ -89,17 +87,11 @@ int imageOf(const tinygltf::Texture& texture, const std::string& item, const Glt
     return texture.source;
 }
 
-struct EncodedImage
-{
-    std::string name;
-    std::vector<std::byte> storage;
-    std::span<const std::byte> bytes;
-};
-
 EncodedImage readImage(const json& image, std::size_t index, const GltfBuffers& buffers, const GltfOrigin& origin,
-                       const GltfReport& report)
+                       const LoadReport& report)
 {
     EncodedImage encoded;
+    encoded.file = report.file;
     const std::string item = itemName("images", index);
     const std::string name = image.value("name", std::string());
     encoded.name = name.empty() ? item : item + " (" + name + ")";
@@ -122,47 +114,11 @@ EncodedImage readImage(const json& image, std::size_t index, const GltfBuffers& 
     return encoded;
 }
 
-void checkTotalSize(const std::vector<EncodedImage>& images, std::uint64_t maxTexelBytes, const GltfReport& report)
-{
-    // Eight bytes a texel, as 16-bit images take: what is refused does not depend on a header's finer points.
-    constexpr std::uint64_t kBytesPerTexel = 8;
-    std::uint64_t total = 0;
-    for (const EncodedImage& image : images) {
-        const auto size = textureSize(image.bytes);
-        if (!size)
-            continue; // decoding says what is wrong with it
-        total += static_cast<std::uint64_t>(size->width) * static_cast<std::uint64_t>(size->height) * kBytesPerTexel;
-        if (total > maxTexelBytes)
-            report.fail(image.name,
-                        "brings the images of the file to more than " + std::to_string(maxTexelBytes) +
-                            " bytes of texels",
-                        "use smaller images");
-    }
-}
-
-/// The error of the first image that has one, however the work was spread over threads.
-std::vector<TextureImage> decodeAll(const std::vector<EncodedImage>& encoded, const GltfReport& report)
-{
-    std::vector<TextureImage> images(encoded.size());
-    std::vector<std::exception_ptr> failures(encoded.size());
-    parallelFor(encoded.size(), 1, [&](std::size_t i) {
-        try {
-            images[i] = decodeTexture(encoded[i].bytes, encoded[i].name, report.file);
-        } catch (...) {
-            failures[i] = std::current_exception();
-        }
-    });
-    for (const std::exception_ptr& failure : failures)
-        if (failure)
-            std::rethrow_exception(failure);
-    return images;
-}
-
 } // namespace
 
 GltfTextures readTextures(const tinygltf::Model& model, const json& document, const GltfBuffers& buffers,
                           const GltfOrigin& origin, const std::set<int>& used, std::uint64_t maxTexelBytes,
-                          const GltfReport& report)
+                          const LoadReport& report)
 {
     GltfTextures result;
     result.textureOfFile.assign(model.textures.size(), -1);
@@ -185,8 +141,8 @@ GltfTextures readTextures(const tinygltf::Model& model, const json& document, co
         result.textureOfFile[static_cast<std::size_t>(index)] = static_cast<int>(result.textures.size());
         result.textures.push_back({imageOfFile[image], samplerOf(model, source.sampler, report)});
     }
-    checkTotalSize(encoded, maxTexelBytes, report);
-    result.images = decodeAll(encoded, report);
+    checkTotalSize(encoded, maxTexelBytes);
+    result.images = decodeAll(encoded);
     return result;
 }
 

@@ -26,6 +26,6 @@ struct GltfTextures
 /// headers, before anything is decoded), an unknown sampler value.
 GltfTextures readTextures(const tinygltf::Model& model, const nlohmann::json& document, const GltfBuffers& buffers,
                           const GltfOrigin& origin, const std::set<int>& used, std::uint64_t maxTexelBytes,
-                          const GltfReport& report);
+                          const LoadReport& report);
 
 } // namespace torrance

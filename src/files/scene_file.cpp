@@ -7,6 +7,7 @@
 #include "files/gltf_schema.h"
 #include "files/gltf_version.h"
 #include "files/json_read.h"
+#include "files/obj_scene.h"
 #include "files/read_file.h"
 
 namespace torrance {
@@ -31,7 +32,7 @@ OpenedFile openFile(const std::filesystem::path& path, const std::string& file)
 }
 
 LoadedScene build(const OpenedFile& opened, const std::filesystem::path& path, const LoadOptions& options,
-                  GltfReport& report)
+                  LoadReport& report)
 {
     const nlohmann::json& document = opened.document;
     const int number = sceneNumber(document, options.scene, report);
@@ -52,11 +53,15 @@ LoadedScene build(const OpenedFile& opened, const std::filesystem::path& path, c
     addSceneFacts(loaded.facts, loaded.scene);
     loaded.facts.scene = number;
     loaded.facts.bufferBytes = buffers.totalBytes;
+    return loaded;
+}
+
+LoadedScene finished(LoadedScene loaded, LoadReport& report)
+{
     loaded.facts.replacedNumbers = report.nonFiniteNumbers;
     if (report.nonFiniteNumbers > 0)
         report.warn("", "holds " + std::to_string(report.nonFiniteNumbers) +
-                            " numbers in its accessors that are NaN or "
-                            "infinite: 0 is used");
+                            " numbers that are NaN or infinite: 0 is used");
     loaded.warnings = std::move(report.warnings);
     return loaded;
 }
@@ -65,10 +70,12 @@ LoadedScene build(const OpenedFile& opened, const std::filesystem::path& path, c
 
 LoadedScene loadScene(const std::filesystem::path& path, const LoadOptions& options)
 {
-    GltfReport report;
+    LoadReport report;
     report.file = path.string();
     try {
-        return build(openFile(path, report.file), path, options, report);
+        return finished(isObjFile(path) ? loadObj(path, options, report)
+                                        : build(openFile(path, report.file), path, options, report),
+                        report);
     } catch (const Error&) {
         throw;
     } catch (const std::bad_alloc&) {
@@ -81,7 +88,9 @@ LoadedScene loadScene(const std::filesystem::path& path, const LoadOptions& opti
 
 SceneFacts readFacts(const std::filesystem::path& path, const LoadOptions& options)
 {
-    GltfReport report;
+    if (isObjFile(path))
+        return readObjFacts(path, options);
+    LoadReport report;
     report.file = path.string();
     const OpenedFile opened = openFile(path, report.file);
     SceneFacts facts = factsOfDocument(opened.document, opened.container, opened.bytes.size());

@@ -1,4 +1,4 @@
-// Scenes from files: glTF 2.0, as .gltf or .glb.
+// Scenes from files: glTF 2.0, as .gltf or .glb, and OBJ with MTL.
 #pragma once
 
 #include "scene/scene.h"
@@ -46,8 +46,8 @@ struct ExtensionFact
 /// What a file holds, for `inspect`.
 struct SceneFacts
 {
-    std::string container; // "GLB" or "glTF"
-    std::string version;
+    std::string container; // "GLB", "glTF" or "OBJ"
+    std::string version;   // empty where the format has none
     std::string generator;
     std::string copyright;
     std::uint64_t fileBytes = 0;
@@ -67,7 +67,7 @@ struct SceneFacts
     std::size_t lines = 0;
     std::size_t points = 0;
     std::uint64_t texelBytes = 0;    // decoded
-    std::size_t replacedNumbers = 0; // NaN and Inf in accessors that were read
+    std::size_t replacedNumbers = 0; // NaN and Inf among the numbers that were read
 };
 
 struct LoadedScene

@@ -19,7 +19,8 @@ std::vector<std::string> modelPaths()
 {
     std::vector<std::string> paths;
     for (const auto& entry : std::filesystem::recursive_directory_iterator(TORRANCE_MODELS))
-        if (entry.path().extension() == ".glb" || entry.path().extension() == ".gltf")
+        if (entry.path().extension() == ".glb" || entry.path().extension() == ".gltf" ||
+            entry.path().extension() == ".obj")
             paths.push_back(entry.path().string());
     std::sort(paths.begin(), paths.end());
     return paths;

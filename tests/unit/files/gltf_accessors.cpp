@@ -233,7 +233,7 @@ TEST(GltfAccessors, ReplaceWhatIsNotFinite)
     const LoadedScene loaded = load(builder);
     EXPECT_EQ(loaded.scene.primitives.at(0).positions, (std::vector<vec3>{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}));
     EXPECT_EQ(loaded.facts.replacedNumbers, 3u);
-    EXPECT_EQ(warningsAbout(loaded, "3 numbers in its accessors that are NaN or infinite"), 1);
+    EXPECT_EQ(warningsAbout(loaded, "3 numbers that are NaN or infinite"), 1);
 }
 
 } // namespace

@@ -11,25 +11,36 @@ namespace torrance {
 
 inline constexpr std::size_t kMaxWarnings = 100;
 
-struct GltfReport
+struct LoadReport
 {
     std::string file; // as messages name it
     std::vector<std::string> warnings;
-    std::size_t nonFiniteNumbers = 0; // NaN and Inf in accessors, replaced
+    std::size_t nonFiniteNumbers = 0; // NaN and Inf, replaced
 
     /// Each line once; a file with faults without end is cut off at kMaxWarnings.
     void warn(const std::string& item, const std::string& text)
     {
-        if (warnings.size() >= kMaxWarnings)
-            return;
-        const std::string line = oneLine(file + ": " + (item.empty() ? "" : item + ": ") + text);
-        if (std::find(warnings.begin(), warnings.end(), line) == warnings.end())
-            warnings.push_back(warnings.size() + 1 < kMaxWarnings ? line : file + ": further warnings are not listed");
+        addLine(oneLine(file + ": " + (item.empty() ? "" : item + ": ") + text));
+    }
+
+    /// Takes over what was said of another file on the way.
+    void add(const LoadReport& other)
+    {
+        nonFiniteNumbers += other.nonFiniteNumbers;
+        for (const std::string& warning : other.warnings)
+            addLine(warning);
     }
 
     [[noreturn]] void fail(const std::string& item, const std::string& problem, const std::string& remedy) const
     {
         throw inputError(file, item, problem, remedy);
+    }
+
+private:
+    void addLine(const std::string& line)
+    {
+        if (warnings.size() < kMaxWarnings && std::find(warnings.begin(), warnings.end(), line) == warnings.end())
+            warnings.push_back(warnings.size() + 1 < kMaxWarnings ? line : file + ": further warnings are not listed");
     }
 };
 
