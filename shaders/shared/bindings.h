@@ -21,6 +21,7 @@ SHARED_UINT(kBindDfg, 11);
 SHARED_UINT(kBindPanorama, 12);
 SHARED_UINT(kBindSource, 13); // the picture that an image pass reads
 SHARED_UINT(kBindProbeRows, 14);
+SHARED_UINT(kBindGBuffer, 15); // the first of the four pictures of shaders/passes/gbuffer.frag
 
 SHARED_END
 

@@ -5,6 +5,7 @@
 #include "app/environment_option.h"
 #include "app/layer_output.h"
 #include "app/method_options.h"
+#include "app/option_value.h"
 #include "app/output_options.h"
 #include "app/phases.h"
 #include "app/picture_options.h"
@@ -25,6 +26,7 @@ struct Options
 {
     std::vector<std::string> inputs;
     int samples = 1;
+    std::string path = "forward";
     std::string layers;
     bool explain = false;
     std::string device;
@@ -53,6 +55,9 @@ void declare(CLI::App& app, Options& o)
            "Surface parameters as layers of an EXR or as files beside the picture: all, or names separated by commas")
         ->group("Output")
         ->type_name("NAMES");
+    addChoice(app, "--path", o.path, {"forward", "deferred"},
+              "Shade surfaces as they are drawn (default), or from a G-buffer of floats, once a pixel")
+        ->group("Methods");
     declareSceneOptions(app, o.scene);
     app.add_flag("--explain", o.explain, "Print what is computed for the scene, what is left out and why");
     declareCameraOptions(app, o.camera);
@@ -61,11 +66,12 @@ void declare(CLI::App& app, Options& o)
     declareDeviceOption(app, o.device);
 }
 
-// Counted are the targets (colour, sum, depth, layers), each ordinary memory on a software driver, one copy for reading
-// back and one for writing.
+// Counted are the targets (colour, sum, depth, layers, G-buffer), each ordinary memory on a software driver, one copy
+// for reading back and one for writing.
 double bytesPerPixel(const Options& o)
 {
-    const double colorTargets = (o.samples > 1 ? 2.0 : 1.0) + (o.layers.empty() ? 0.0 : double(kLayerTargets));
+    const double colorTargets = (o.samples > 1 ? 2.0 : 1.0) + (o.layers.empty() ? 0.0 : double(kLayerTargets)) +
+                                (o.path == "deferred" ? double(kGBufferTargets) : 0.0);
     return 16.0 * (colorTargets + 2.0) + 4.0;
 }
 
@@ -80,6 +86,7 @@ Settings settingsOf(const Options& o)
             .samples = o.samples,
             .background = background.kind,
             .backgroundColor = background.color,
+            .path = o.path == "deferred" ? RenderPath::deferred : RenderPath::forward,
             .layers = !o.layers.empty()};
 }
 

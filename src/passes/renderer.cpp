@@ -2,6 +2,7 @@
 
 #include "gpu/guard.h"
 #include "image/reconstruction.h"
+#include "passes/deferred_pass.h"
 #include "passes/frame_data.h"
 #include "passes/layers.h"
 #include "passes/sampler.h"
@@ -141,24 +142,69 @@ void Renderer::drawBackground(gpu::Commands& commands, const DeviceScene& scene,
     commands.buffer.draw(3, 1, 0, 0);
 }
 
-void Renderer::drawColor(const DeviceScene& scene, const Camera& camera, const dvec2& offset,
-                         const gpu::DeviceImage& color, const gpu::DeviceImage& depth)
+Renderer::Targets Renderer::makeTargets(const Settings& settings)
+{
+    Targets targets = {.color = makeColorTarget(device, settings.width, settings.height, "color"),
+                       .depth = makeDepthTarget(device, settings.width, settings.height),
+                       .gbuffer = {}};
+    if (settings.path == RenderPath::deferred)
+        targets.gbuffer = makeGBuffer(device, settings.width, settings.height);
+    return targets;
+}
+
+void Renderer::drawBatches(gpu::Commands& commands, const DeviceScene& scene, const gpu::Bindings& bindings,
+                           SurfaceOutput output)
+{
+    for (const Batch& batch : scene.plan.batches)
+        drawBatch(commands, surfacePipelines.get(scene.plan, batch.key, output), bindings, batch, scene.meshes,
+                  scene.textures);
+}
+
+void Renderer::drawGBuffer(gpu::Commands& commands, const DeviceScene& scene, const gpu::Bindings& bindings,
+                           const Targets& targets)
+{
+    std::vector<const gpu::DeviceImage*> pointers;
+    for (const gpu::DeviceImage& target : targets.gbuffer)
+        pointers.push_back(&target);
+    beginRendering(commands, pointers, &targets.depth, LoadTarget::clear, LoadTarget::clear);
+    drawBatches(commands, scene, bindings, SurfaceOutput::gbuffer);
+    commands.buffer.endRendering();
+    commands.use(gbufferUses(targets.gbuffer));
+}
+
+void Renderer::drawLighting(gpu::Commands& commands, const DeviceScene& scene, gpu::Bindings bindings,
+                            const Targets& targets)
+{
+    bindGBuffer(bindings, targets.gbuffer, tableSampler);
+    for (std::size_t i = 0; i < scene.plan.lightingClasses.size(); ++i) {
+        const LightingForm form = lightingForm(scene.plan, i);
+        const gpu::Pipeline& pipeline = imagePipeline("passes/lighting.frag", form.selected, form.description);
+        commands.buffer.bindPipeline(vk::PipelineBindPoint::eGraphics, *pipeline.handle);
+        bindings.push(commands.buffer, pipeline);
+        commands.buffer.draw(3, 1, 0, 0);
+    }
+}
+
+void Renderer::drawColor(const DeviceScene& scene, const Camera& camera, const dvec2& offset, const Targets& targets)
 {
     const ViewBuffers view = makeViewBuffers(device, scene, camera, offset);
     const gpu::Bindings bindings = sceneBindings(scene, view, tableSampler, panoramaSampler);
-    const auto draw = [&](gpu::Commands& commands, const Batch& batch) {
-        const gpu::Pipeline& pipeline = surfacePipelines.get(scene.plan, batch.key, SurfaceOutput::color);
-        drawBatch(commands, pipeline, bindings, batch, scene.meshes, scene.textures);
-    };
+    const bool deferred = scene.plan.settings.path == RenderPath::deferred;
     gpu::Commands commands(device);
     useScene(commands, scene, view);
-    const std::array targets = {&color};
-    beginRendering(commands, targets, &depth, LoadTarget::clear, LoadTarget::clear);
-    for (const Batch& batch : scene.plan.batches)
-        draw(commands, batch);
+    if (deferred)
+        drawGBuffer(commands, scene, bindings, targets);
+    const std::array colors = {&targets.color};
+    beginRendering(commands, colors, &targets.depth, LoadTarget::clear,
+                   deferred ? LoadTarget::keep : LoadTarget::clear);
+    if (deferred)
+        drawLighting(commands, scene, bindings, targets);
+    else
+        drawBatches(commands, scene, bindings, SurfaceOutput::color);
     drawBackground(commands, scene, bindings);
     for (const Batch* batch : sortedBlended(scene.plan, cameraPosition(camera), forwardOf(camera)))
-        draw(commands, *batch);
+        drawBatch(commands, surfacePipelines.get(scene.plan, batch->key, SurfaceOutput::color), bindings, *batch,
+                  scene.meshes, scene.textures);
     commands.buffer.endRendering();
     commands.submitAndWait();
 }
@@ -216,23 +262,22 @@ Picture Renderer::render(const DeviceScene& scene, const Camera& camera, const s
 {
     return gpu::guarded(device, [&] {
         const Settings& settings = scene.plan.settings;
-        const gpu::DeviceImage color = makeColorTarget(device, settings.width, settings.height, "color");
-        const gpu::DeviceImage depth = makeDepthTarget(device, settings.width, settings.height);
+        const Targets targets = makeTargets(settings);
         const std::vector<dvec2> offsets = sampleOffsets(settings.samples);
         const int count = static_cast<int>(offsets.size());
         std::optional<gpu::DeviceImage> sum;
         if (count > 1)
             sum = makeColorTarget(device, settings.width, settings.height, "sum of samples");
         for (int i = 0; i < count; ++i) {
-            drawColor(scene, camera, offsets[static_cast<std::size_t>(i)], color, depth);
+            drawColor(scene, camera, offsets[static_cast<std::size_t>(i)], targets);
             if (sum)
-                accumulate(color, *sum, i, count);
+                accumulate(targets.color, *sum, i, count);
             if (progress)
                 progress(i + 1, count);
         }
-        Picture picture = {.color = readBack(device, sum ? *sum : color), .layers = {}};
+        Picture picture = {.color = readBack(device, sum ? *sum : targets.color), .layers = {}};
         if (settings.layers)
-            picture.layers = drawLayers(scene, camera, depth);
+            picture.layers = drawLayers(scene, camera, targets.depth);
         return picture;
     });
 }

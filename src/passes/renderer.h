@@ -61,8 +61,20 @@ public:
     std::size_t pipelineCount() const { return surfacePipelines.count() + imagePipelines.size(); }
 
 private:
-    void drawColor(const DeviceScene& scene, const Camera& camera, const dvec2& offset, const gpu::DeviceImage& color,
-                   const gpu::DeviceImage& depth);
+    struct Targets
+    {
+        gpu::DeviceImage color;
+        gpu::DeviceImage depth;
+        std::vector<gpu::DeviceImage> gbuffer; // of the deferred path
+    };
+    Targets makeTargets(const Settings& settings);
+    void drawColor(const DeviceScene& scene, const Camera& camera, const dvec2& offset, const Targets& targets);
+    void drawBatches(gpu::Commands& commands, const DeviceScene& scene, const gpu::Bindings& bindings,
+                     SurfaceOutput output);
+    void drawGBuffer(gpu::Commands& commands, const DeviceScene& scene, const gpu::Bindings& bindings,
+                     const Targets& targets);
+    void drawLighting(gpu::Commands& commands, const DeviceScene& scene, gpu::Bindings bindings,
+                      const Targets& targets);
     void drawBackground(gpu::Commands& commands, const DeviceScene& scene, const gpu::Bindings& bindings);
     void accumulate(const gpu::DeviceImage& source, const gpu::DeviceImage& sum, int index, int count);
     std::vector<Layer> drawLayers(const DeviceScene& scene, const Camera& camera, const gpu::DeviceImage& depth);

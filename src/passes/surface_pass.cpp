@@ -1,6 +1,7 @@
 #include "passes/surface_pass.h"
 
 #include "passes/targets.h"
+#include "plan/deferred_plan.h"
 #include "shaders/shared/bindings.h"
 
 #include <algorithm>
@@ -62,22 +63,41 @@ vk::PrimitiveTopology topologyOf(SurfaceKind kind)
     }
 }
 
-gpu::PipelineDescription describePipeline(const ShadingPlan& plan, const ShaderKey& key, SurfaceOutput output)
+// What the fragment shader of an output is called, how many targets it has, and its specialization constants.
+struct OutputForm
+{
+    const char* fragment;
+    std::size_t targets;
+    std::vector<std::uint32_t> constants;
+};
+
+OutputForm formOf(const ShadingPlan& plan, const ShaderKey& key, SurfaceOutput output)
+{
+    switch (output) {
+    case SurfaceOutput::layers:
+        return {"passes/surface_layers.frag", kLayerTargets, {}};
+    case SurfaceOutput::gbuffer:
+        return {"passes/gbuffer.frag", kGBufferTargets, {lightingClassIndex(plan, key)}};
+    case SurfaceOutput::color:
+        break;
+    }
+    return {"passes/surface.frag", 1, lightCountConstants(plan)};
+}
+
+gpu::PipelineDescription describePipeline(const ShaderKey& key, SurfaceOutput output, const OutputForm& form)
 {
     const bool blends = key.alphaMode == AlphaMode::blend && output == SurfaceOutput::color;
     gpu::PipelineDescription description = {
         .name = key.name(),
         .topology = topologyOf(key.surface),
-        .colorFormats = std::vector(output == SurfaceOutput::color ? 1 : kLayerTargets, kColorFormat),
+        .colorFormats = std::vector(form.targets, kColorFormat),
         .depthFormat = kDepthFormat,
         .depth = blends ? gpu::DepthUse::testOnly : gpu::DepthUse::testAndWrite,
         .blend = blends ? gpu::Blend::premultiplied : gpu::Blend::replace,
+        .constants = form.constants,
     };
     for (const VertexAttribute attribute : attributesOf(key))
         description.streams.push_back(streamOf(attribute));
-    if (output == SurfaceOutput::color)
-        for (const int count : plan.lightCounts)
-            description.constants.push_back(static_cast<std::uint32_t>(count));
     return description;
 }
 
@@ -111,20 +131,27 @@ void drawOnce(gpu::Commands& commands, const Batch& batch, const Draw& draw, con
 
 } // namespace
 
+std::vector<std::uint32_t> lightCountConstants(const ShadingPlan& plan)
+{
+    std::vector<std::uint32_t> constants;
+    for (const int count : plan.lightCounts)
+        constants.push_back(static_cast<std::uint32_t>(count));
+    return constants;
+}
+
 const gpu::Pipeline& SurfacePipelines::get(const ShadingPlan& plan, const ShaderKey& key, SurfaceOutput output)
 {
     const std::string selected = selectedText(plan, key);
-    std::string identity = selected + (output == SurfaceOutput::color ? "color" : "layers");
-    if (output == SurfaceOutput::color)
-        for (const int count : plan.lightCounts)
-            identity += " " + std::to_string(count);
+    const OutputForm form = formOf(plan, key, output);
+    std::string identity = selected + form.fragment;
+    for (const std::uint32_t constant : form.constants)
+        identity += " " + std::to_string(constant);
     if (const auto found = pipelines.find(identity); found != pipelines.end())
         return found->second;
     const gpu::CompiledShader vertex =
         shaders.get(isShape(key.surface) ? "passes/shape.vert" : "passes/surface.vert", selected);
-    const gpu::CompiledShader fragment =
-        shaders.get(output == SurfaceOutput::color ? "passes/surface.frag" : "passes/surface_layers.frag", selected);
-    return pipelines.emplace(identity, gpu::makePipeline(device, vertex, fragment, describePipeline(plan, key, output)))
+    const gpu::CompiledShader fragment = shaders.get(form.fragment, selected);
+    return pipelines.emplace(identity, gpu::makePipeline(device, vertex, fragment, describePipeline(key, output, form)))
         .first->second;
 }
 

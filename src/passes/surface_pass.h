@@ -1,4 +1,4 @@
-// Draws a plan's surfaces: their colour, or their parameters as layers.
+// Draws a plan's surfaces: their colour, or their parameters as layers or as a G-buffer.
 #pragma once
 
 #include "gpu/commands.h"
@@ -15,10 +15,15 @@ namespace torrance {
 
 enum class SurfaceOutput
 {
-    color,  // one target
-    layers, // kLayerTargets targets: shaders/passes/surface_layers.frag
+    color,   // one target
+    layers,  // kLayerTargets targets: shaders/passes/surface_layers.frag
+    gbuffer, // kGBufferTargets targets: shaders/passes/gbuffer.frag
 };
 inline constexpr std::size_t kLayerTargets = 6;
+inline constexpr std::size_t kGBufferTargets = 4;
+
+/// Specialization constants 0 to 2 of every shader that includes material/shade.glsl.
+std::vector<std::uint32_t> lightCountConstants(const ShadingPlan& plan);
 
 /// The pipelines of a plan's keys, made on first use.
 class SurfacePipelines

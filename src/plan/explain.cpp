@@ -35,6 +35,10 @@ void addDrawn(std::string& text, const ShadingPlan& plan)
             counted(static_cast<std::size_t>(plan.lightCounts[2]), "spot light", "spot lights") + "\n";
     text += std::string("  environment: ") + (plan.environmentLight ? "lights the scene" : "lights nothing") +
             (plan.panorama ? ", is seen behind it" : ", is not seen") + "\n";
+    text +=
+        plan.settings.path == RenderPath::forward
+            ? "  path: forward\n"
+            : "  path: deferred, " + counted(plan.lightingClasses.size(), "lighting pass", "lighting passes") + "\n";
     text += "pipelines\n";
     for (const std::string& name : pipelines)
         text += "  " + name + "\n";

@@ -13,6 +13,13 @@ enum class BackgroundKind
     transparent, // alpha 0, colours premultiplied
 };
 
+/// How opaque and masked surfaces come to their light.
+enum class RenderPath
+{
+    forward,  // each surface is shaded as it is drawn
+    deferred, // parameters first, into a G-buffer of floats; light afterwards, once a pixel
+};
+
 struct Settings
 {
     brdf::Preset methods;
@@ -21,7 +28,8 @@ struct Settings
     int samples = 1; // per pixel
     BackgroundKind background = BackgroundKind::environment;
     dvec3 backgroundColor = dvec3(0.0); // scene-linear
-    bool layers = false;                // surface parameters as pictures of their own
+    RenderPath path = RenderPath::forward;
+    bool layers = false; // surface parameters as pictures of their own
 };
 
 } // namespace torrance

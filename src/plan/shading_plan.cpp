@@ -2,6 +2,7 @@
 
 #include "core/error.h"
 #include "plan/compensation.h"
+#include "plan/deferred_plan.h"
 #include "plan/light_plan.h"
 
 #include <algorithm>
@@ -56,6 +57,8 @@ public:
         planMaterials();
         planSurfaces();
         planLighting();
+        if (plan.settings.path == RenderPath::deferred)
+            planDeferred(plan);
         return std::move(plan);
     }
 
