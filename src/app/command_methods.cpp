@@ -38,6 +38,16 @@ std::string presetsOf(const Method& method)
     return ids;
 }
 
+// A line for each quirk and parameter of the preset's model.
+std::string optionsText(const Preset& preset)
+{
+    std::string text;
+    for (const ModelOption& option : allModelOptions())
+        if (option.model == preset.model->id)
+            text += fmt::format("    --{} {}: {}\n", option.isQuirk() ? "quirk" : "parameter", option.id, option.text);
+    return text;
+}
+
 std::string plainText()
 {
     std::string text;
@@ -49,7 +59,7 @@ std::string plainText()
     }
     text += "presets\n";
     for (const Preset& preset : allPresets())
-        text += fmt::format("  {:<18} {}\n", preset.id, preset.description);
+        text += fmt::format("  {:<22} {}\n", preset.id, preset.description) + optionsText(preset);
     return text;
 }
 
@@ -79,6 +89,12 @@ std::string markdown()
                        "| preset | |\n|---|---|\n";
     for (const Preset& preset : allPresets())
         text += fmt::format("| `{}` | {} |\n", preset.id, preset.description);
+    text += "\n| preset | option | |\n|---|---|---|\n";
+    for (const Preset& preset : allPresets())
+        for (const ModelOption& option : allModelOptions())
+            if (option.model == preset.model->id)
+                text += fmt::format("| `{}` | `--{} {}` | {} |\n", preset.id, option.isQuirk() ? "quirk" : "parameter",
+                                    option.id, option.text);
     for (const Slot slot : allSlots())
         text += markdownOfSlot(slot);
     return text;

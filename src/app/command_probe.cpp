@@ -1,6 +1,7 @@
 #include "app/command_probe.h"
 
 #include "app/device_option.h"
+#include "app/method_options.h"
 #include "app/option_value.h"
 #include "app/probe_rows.h"
 #include "brdf/condition.h"
@@ -33,6 +34,7 @@ using brdf::Slot;
 struct Options
 {
     std::string term, method, preset = "standard", input, output = "-", device;
+    ModelChoices model;
 };
 
 std::vector<std::string> termNames()
@@ -51,6 +53,7 @@ void declare(CLI::App& app, Options& options)
     addChoice(app, "--term", options.term, termNames(), "What to evaluate")->required();
     app.add_option("--method", options.method, "The slot's method; without it, the preset's")->type_name("ID");
     addChoice(app, "--preset", options.preset, presets, "Methods of the term brdf");
+    declareModelChoices(app, options.model);
     app.add_option("--input", options.input,
                    "Table of rows: id, nx..nz, vx..vz, lx..lz, roughness, and what the term reads of metallic, "
                    "base_r..base_b, ior, eta, k, f82_r..f82_b, tx..tz, anisotropy")
@@ -89,13 +92,17 @@ struct Term
 Term chooseTerm(const Options& options)
 {
     const std::optional<Slot> slot = brdf::findSlot(options.term);
+    if (options.term != "brdf" && !(options.model.quirks + options.model.parameters).empty())
+        throw usageError("--quirk and --parameter are for the term brdf, not for " + options.term, "leave them out");
     if (!slot) {
         if (!options.method.empty())
             throw usageError("--method is for the terms that are slots, not for " + options.term,
                              options.term == "brdf" ? "use --preset" : "leave it out");
         if (options.term == "albedo")
             return {makeAlbedoTerm(), {}, "table"};
-        return {makeBrdfTerm(*brdf::findPreset(options.preset)), {.baseColor = true, .metallic = true}, options.preset};
+        Preset preset = *brdf::findPreset(options.preset);
+        applyModelChoices(options.model, preset);
+        return {makeBrdfTerm(preset), {.baseColor = true, .metallic = true}, options.preset};
     }
     const Method& method = methodOf(*slot, options);
     return {makeProbeTerm(method),

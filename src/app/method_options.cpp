@@ -4,6 +4,8 @@
 #include "core/error.h"
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
+#include <fmt/format.h>
 
 namespace torrance {
 namespace {
@@ -42,7 +44,69 @@ brdf::Preset startingPreset(const MethodOptions& options)
     return preset;
 }
 
+// "a, b" of the options that the model has.
+std::string optionsOf(const brdf::Preset& preset, bool quirks)
+{
+    std::string text;
+    for (const brdf::ModelOption& option : brdf::allModelOptions())
+        if (option.model == preset.model->id && option.isQuirk() == quirks)
+            text += (text.empty() ? "" : ", ") + std::string(option.id);
+    return text;
+}
+
+const brdf::ModelOption& modelOption(const brdf::Preset& preset, const std::string& id, bool quirk)
+{
+    const brdf::ModelOption* option = brdf::findModelOption(preset, id);
+    if (option && option->isQuirk() == quirk)
+        return *option;
+    const std::string known = optionsOf(preset, quirk), kind = quirk ? "quirk" : "parameter";
+    throw usageError("the preset " + std::string(preset.id) + " has no " + kind + " " + id,
+                     known.empty() ? "leave out --" + kind + ": it has none" : "known are " + known);
+}
+
+std::vector<std::string> splitAtCommas(const std::string& text)
+{
+    std::vector<std::string> parts;
+    for (std::size_t first = 0; !text.empty() && first <= text.size();) {
+        const std::size_t end = std::min(text.find(',', first), text.size());
+        parts.push_back(text.substr(first, end - first));
+        first = end + 1;
+    }
+    return parts;
+}
+
+void setParameter(const std::string& choice, brdf::Preset& preset)
+{
+    const std::size_t equals = choice.find('=');
+    const brdf::ModelOption& option = modelOption(preset, choice.substr(0, equals), false);
+    const std::string value = equals == std::string::npos ? "" : choice.substr(equals + 1);
+    const double number = parseNumbers("--parameter " + std::string(option.id), value, 1, 1).front();
+    if (!(number >= 0.0 && number <= option.greatest))
+        throw usageError("--parameter " + choice + " is out of range",
+                         fmt::format("it lies between 0 and {}", option.greatest));
+    preset.options.*std::get<double brdf::ModelOptions::*>(option.member) = number;
+}
+
 } // namespace
+
+void declareModelChoices(CLI::App& app, ModelChoices& choices)
+{
+    app.add_option("--quirk", choices.quirks,
+                   "Readings of a source system to the letter, such as double-fresnel; torrance methods lists them")
+        ->group("Methods")
+        ->type_name("NAME,...");
+    app.add_option("--parameter", choices.parameters, "Numbers of a source system, such as reflectivity=0.5")
+        ->group("Methods")
+        ->type_name("NAME=VALUE,...");
+}
+
+void applyModelChoices(const ModelChoices& choices, brdf::Preset& preset)
+{
+    for (const std::string& id : splitAtCommas(choices.quirks))
+        preset.options.*std::get<bool brdf::ModelOptions::*>(modelOption(preset, id, true).member) = true;
+    for (const std::string& choice : splitAtCommas(choices.parameters))
+        setParameter(choice, preset);
+}
 
 void declareMethodOptions(CLI::App& app, MethodOptions& options)
 {
@@ -55,6 +119,7 @@ void declareMethodOptions(CLI::App& app, MethodOptions& options)
         if (standard[slot])
             addChoice(app, optionName(slot), options.overrides[slot], methodIds(slot), "Instead of the preset's")
                 ->group("Methods");
+    declareModelChoices(app, options.model);
 }
 
 brdf::Preset chooseMethods(const MethodOptions& options)
@@ -69,6 +134,7 @@ brdf::Preset chooseMethods(const MethodOptions& options)
                              "leave it out, or use --preset standard");
         preset[slot] = brdf::findMethod(slot, id);
     }
+    applyModelChoices(options.model, preset);
     return preset;
 }
 

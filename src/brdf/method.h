@@ -4,6 +4,7 @@
 
 #include "brdf/brdf_terms.h"
 #include "brdf/light_query.h"
+#include "brdf/model_options.h"
 #include "brdf/shading_point.h"
 
 #include <optional>
@@ -119,6 +120,7 @@ struct Preset
     const Method* dfg;
     const Method* areaLight;
     const Method* specularAntialiasing;
+    ModelOptions options = {}; // those that the model does not have are not read
 
     const Method* operator[](Slot slot) const; // null for tone and transfer
     const Method*& operator[](Slot slot);      // throws std::out_of_range for tone and transfer

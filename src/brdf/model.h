@@ -15,5 +15,11 @@ BrdfTerms model_gltf(const Preset& preset, const ShadingPoint& point);
 
 // The source systems bring their own D, G, F and diffuse.
 BrdfTerms model_ue4_direct(const Preset& preset, const ShadingPoint& point);
+BrdfTerms model_phong(const Preset& preset, const ShadingPoint& point);
+BrdfTerms model_cook_torrance_beckmann(const Preset& preset, const ShadingPoint& point);
+BrdfTerms model_ggx_burley(const Preset& preset, const ShadingPoint& point);
+BrdfTerms model_schlick_beckmann(const Preset& preset, const ShadingPoint& point);
+BrdfTerms model_smith_r(const Preset& preset, const ShadingPoint& point);
+BrdfTerms model_torrance_sparrow_blinn(const Preset& preset, const ShadingPoint& point);
 
 } // namespace torrance::brdf

@@ -114,6 +114,15 @@ std::span<const Preset> allPresets()
         standard(),
         gltf(),
         source("ue4-direct", "source A: textured Cook-Torrance for punctual lights, after Karis 2013", "ue4_direct"),
+        source("phong", "source B: ambient, diffuse and a power of the mirrored light", "phong"),
+        source("cook-torrance-beckmann", "source B: Cook & Torrance 1982 with Beckmann's distribution",
+               "cook_torrance_beckmann"),
+        source("ggx-burley", "source B: GGX with Burley's diffuse, f0 = 0.5, no (1 - F)", "ggx_burley"),
+        source("schlick-beckmann", "source C: GGX, Schlick's G with k = alpha/2, Lambert under 1 - F",
+               "schlick_beckmann"),
+        source("smith-r", "source D: GGX, Smith's G1 with r in place of alpha, diffuse n.l", "smith_r"),
+        source("torrance-sparrow-blinn", "source E: Blinn's D in V-grooves, between dielectric, metal and Lambert",
+               "torrance_sparrow_blinn"),
     };
     return presets;
 }

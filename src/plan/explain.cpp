@@ -16,6 +16,15 @@ void addMethods(std::string& text, const brdf::Preset& methods)
     for (const brdf::Slot slot : brdf::allSlots())
         if (const brdf::Method* method = methods[slot])
             text.append("  ").append(brdf::slotName(slot)).append(": ").append(method->id).append("\n");
+    for (const brdf::ModelOption& option : brdf::allModelOptions()) {
+        if (option.model != methods.model->id)
+            continue;
+        text.append("  ").append(option.isQuirk() ? "quirk " : "parameter ").append(option.id).append(": ");
+        text += option.isQuirk()
+                    ? methods.options.*std::get<bool brdf::ModelOptions::*>(option.member) ? "on" : "off"
+                    : std::to_string(methods.options.*std::get<double brdf::ModelOptions::*>(option.member));
+        text += "\n";
+    }
 }
 
 void addDrawn(std::string& text, const ShadingPlan& plan)

@@ -30,6 +30,16 @@ TEST_F(Sources, RefuseMethodsOfTheirOwnSlots)
     refused({"--preset", "ue4-direct", "--model", "gltf"}, "--model");
 }
 
+TEST_F(Sources, RefuseQuirksAndParametersThatTheyDoNotHave)
+{
+    refused({"--preset", "smith-r", "--quirk", "double-fresnel"}, "it has none");
+    refused({"--preset", "schlick-beckmann", "--quirk", "no-cosine"}, "known are double-fresnel");
+    refused({"--preset", "phong", "--parameter", "shine=3"}, "known are ambient, specular");
+    refused({"--preset", "phong", "--parameter", "ambient=2"}, "between 0 and 1");
+    refused({"--preset", "phong", "--parameter", "ambient"}, "--parameter ambient");
+    refused({"--quirk", "double-fresnel"}, "the preset standard has no quirk");
+}
+
 TEST_F(Sources, RefuseAnEnvironmentThatTheyDoNotDefine)
 {
     refused({"--preset", "ue4-direct", "--environment", "studio"}, "--environment none");

@@ -81,6 +81,33 @@ TEST(WholeBrdf, TakesTheAnisotropicDistributionAndAnyFresnelTermOfAReflectance)
         }
 }
 
+// Channels of exp(-90) and less: a D that a device flushes to zero is made larger by V, and by 1 / n.l in a sketch.
+bool isFaint(const dvec3& color)
+{
+    constexpr double kFaint = 1e-30;
+    for (int c = 0; c < 3; ++c)
+        if (color[c] > 0 && color[c] < kFaint)
+            return true;
+    return false;
+}
+
+// Each quirk turned on, each parameter moved from where it stands.
+TEST(WholeBrdf, AgreesUnderEveryOptionOfAModel)
+{
+    for (const ModelOption& option : allModelOptions()) {
+        SCOPED_TRACE(option.id);
+        const std::vector<const Preset*> presets = presetPointers();
+        Preset preset = **std::ranges::find_if(presets, [&](const Preset* p) { return p->model->id == option.model; });
+        if (option.isQuirk())
+            preset.options.*std::get<bool ModelOptions::*>(option.member) = true;
+        else
+            preset.options.*std::get<double ModelOptions::*>(option.member) = 0.375; // a float
+        ProbeCheck check = brdfCheck(preset);
+        std::erase_if(check.rows, [&](const ShadingPoint& p) { return isFaint(check.term.formula(p)); });
+        expectWithinAllowance(check);
+    }
+}
+
 // Any selection of D, V and diffuse makes a shader: the files can be included together, and the result is still within
 // kappa.
 TEST(WholeBrdf, TakesOtherMethodsInItsSlots)

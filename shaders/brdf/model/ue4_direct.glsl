@@ -1,7 +1,7 @@
 // Source A: D with alpha = r, Schlick's G with k = (r + 1)^2 / 8 (Karis 2013, eq. 4), Lambert under (1 - F)(1 - metallic).
 #include "material/brdf_terms.glsl"
 #include "material/half_vector.glsl"
-#include "shared/constants.h"
+#include "material/model_parts.glsl"
 
 BrdfTerms model_ue4_direct(BrdfInput x)
 {
@@ -14,22 +14,20 @@ BrdfTerms model_ue4_direct(BrdfInput x)
     HalfVector h = halfVector(x.n, x.v, x.l, NoV, NoL);
 
     float a2 = x.perceptualRoughness * x.perceptualRoughness;
-    float d = h.sin2H + h.NoH * h.NoH * a2; // n.h^2 (r^2 - 1) + 1 with the digits that this order loses
+    float d = trowbridgeReitzBase(h.sin2H, a2);
     float k = (0.125 * x.perceptualRoughness + 0.25) * x.perceptualRoughness + 0.125;
-    vec3 f0 = vec3(kDielectricF0) * (1.0 - x.metallic) + x.baseColor * x.metallic;
-    float grazing = h.oneLessVoH * h.oneLessVoH;
-    grazing *= grazing * h.oneLessVoH;
+    Fresnel F = schlickMix(kDielectricF0, x.baseColor, x.metallic, h.VoH, h.oneLessVoH);
 
     BrdfTerms terms;
     terms.h = normalize(h.t);
     terms.D = a2 / max(PI * d * d, kLeast);
-    terms.G1 = NoV / (NoV + k * (1.0 - NoV));
-    terms.G = terms.G1 * NoL / (NoL + k * (1.0 - NoL));
+    terms.G1 = NoV * schlickMaskingOver(NoV, k);
+    terms.G = terms.G1 * NoL * schlickMaskingOver(NoL, k);
     terms.V = terms.G / max(4.0 * NoV * NoL, kLeast);
-    terms.F0 = f0;
-    terms.F = f0 + (1.0 - f0) * grazing;
-    terms.specular = terms.F * (terms.D * terms.V);
-    terms.diffuse = x.baseColor * ((1.0 - terms.F) * ((1.0 - x.metallic) / PI));
+    terms.F0 = F.f0;
+    terms.F = F.reflected;
+    terms.specular = (QUIRK_double_fresnel ? terms.F * terms.F : terms.F) * (terms.D * terms.V);
+    terms.diffuse = x.baseColor * (F.transmitted * ((1.0 - x.metallic) / PI));
     terms.brdf = terms.diffuse + terms.specular;
     terms.weight = NoL;
     return terms;

@@ -149,7 +149,8 @@ TEST(Preset, OfASourceHasNoMethodsBesideItsModel)
         for (const Slot slot :
              {Slot::distribution, Slot::visibility, Slot::fresnel, Slot::diffuse, Slot::multipleScattering})
             EXPECT_EQ(preset[slot] != nullptr, isComposed(preset)) << preset.id << ' ' << slotName(slot);
-    EXPECT_EQ(selectedGlsl(*findPreset("ue4-direct")), R"(#include "brdf/model/ue4_direct.glsl"
+    EXPECT_EQ(selectedGlsl(*findPreset("ue4-direct")), R"(const bool QUIRK_double_fresnel = false;
+#include "brdf/model/ue4_direct.glsl"
 #define SELECTED_model model_ue4_direct
 )");
 }
