@@ -1,5 +1,6 @@
 // Light from an environment: split sum (Karis 2013) for the lobe, irradiance for the body, both dimmed by occlusion.
 #ifdef DFG_TABLE
+#include "environment/average_albedo.glsl"
 #ifdef DFG_FIT
 #include "environment/diffuse_weight.glsl"
 
@@ -44,20 +45,25 @@ vec3 environmentLight(Surface s, float alpha, vec4 albedo)
 {
     vec3 n = frame.environmentFromWorld * s.normal;
     vec3 r = frame.environmentFromWorld * reflect(-s.view, s.normal);
-    // The lobes of glTF's dielectric and metal (shaders/brdf/model/gltf.glsl), each under an environment of radiance 1.
-    const vec3 dielectricF0 = vec3(kDielectricF0);
+    vec3 radiance = prefilteredRadiance(environmentSpecular, r, alpha, frame.environmentLastLevel);
+    vec3 irradiance = irradianceOverPi(n);
+    // The lobes of glTF's dielectric and metal (shaders/brdf/model/gltf.glsl), each under an environment of radiance 1. Their light of many
+    // reflections comes from everywhere: it is the irradiance's.
+    const vec3 f0 = vec3(kDielectricF0);
     // The bias of a fit may be negative; a table's is not.
-    vec3 dielectric = max(dielectricF0 * albedo.x + albedo.y, 0.0);
-    vec3 metal = max(s.baseColor * albedo.x + albedo.y, 0.0);
-#ifdef COMPENSATES
-    dielectric *= SELECTED_multiple_scattering(dielectricF0, albedo.w);
-    metal *= SELECTED_multiple_scattering(s.baseColor, albedo.w);
-#endif
-    vec3 lobe = dielectric * (1.0 - s.metallic) + metal * s.metallic;
-    vec3 specular = prefilteredRadiance(environmentSpecular, r, alpha, frame.environmentLastLevel) * lobe;
-    // What the dielectric interface lets through: (1 - F) averaged over the light directions, w = (1/pi) int (1-VoH)^5 NoL.
-    vec3 body = s.baseColor * ((1.0 - s.metallic) * (1.0 - kDielectricF0) * (1.0 - albedo.z));
-    vec3 diffuse = irradianceOverPi(n) * body;
+    vec3 once = max(f0 * albedo.x + albedo.y, 0.0);
+    vec3 metalOnce = max(s.baseColor * albedo.x + albedo.y, 0.0);
+    float mean = averageAlbedo(s.perceptualRoughness);
+    vec3 dielectric = SELECTED_multiple_scattering(once * radiance, irradiance, f0, albedo.y, albedo.w, mean, mean);
+    vec3 metal = SELECTED_multiple_scattering(metalOnce * radiance, irradiance, s.baseColor, albedo.y, albedo.w, mean, mean);
+    vec3 specular = dielectric * (1.0 - s.metallic) + metal * s.metallic;
+
+    // What the interface lets through: its weight is linear in what depends on the light, so the means over uniform light give the mean
+    // weight. That of Schlick's term at VoH is the table's w, at NoL it is 1/21.
+    vec3 returned = SELECTED_multiple_scattering(once, vec3(1.0), f0, albedo.y, albedo.w, mean, mean);
+    float x = 1.0 - clamp(dot(s.normal, s.view), 0.0, 1.0);
+    vec3 weight = SELECTED_diffuse_weight(f0 + (1.0 - f0) * albedo.z, f0 + (1.0 - f0) * (x * x * x * x * x), f0 + (1.0 - f0) / 21.0, returned);
+    vec3 diffuse = irradiance * s.baseColor * ((1.0 - s.metallic) * weight);
     return (specular + diffuse) * (s.occlusion * frame.environmentIntensity);
 }
 #endif

@@ -2,6 +2,15 @@
 #ifndef TORRANCE_MATERIAL_BRDF_TERMS
 #define TORRANCE_MATERIAL_BRDF_TERMS
 
+// Directional albedo of the lobe with F = 1; read only where the selection asks for it: multiple scattering, and a body weighted by albedo.
+struct LobeAlbedo
+{
+    float E;        // at n.v
+    float bias;     // of it what Schlick's (1 - v.h)^5 takes
+    float ELight;   // at n.l
+    float EAverage; // its mean over the hemisphere, weighted by the cosine
+};
+
 struct BrdfInput
 {
     vec3 n, v, l; // unit, away from the surface
@@ -9,7 +18,7 @@ struct BrdfInput
     float metallic;
     float perceptualRoughness;
     float alpha; // max(perceptualRoughness^2, kMinAlpha)
-    float E;     // albedo at n.v of the lobe with F = 1, read only where the selection compensates for multiple scattering
+    LobeAlbedo lobe;
 };
 
 struct BrdfTerms

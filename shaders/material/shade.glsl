@@ -20,18 +20,21 @@ layout(constant_id = 2) const uint kSpotCount = 0;
 layout(set = 0, binding = kBindLights, scalar) readonly buffer LightBuffer { Light lights[]; };
 
 // What one light adds: f(v, l) * irradiance, `l` unit, `irradiance` of a surface that faces the light.
-vec3 reflected(Surface s, float alpha, float E, vec3 l, vec3 irradiance)
+vec3 reflected(Surface s, float alpha, LobeAlbedo lobe, vec3 l, vec3 irradiance)
 {
+#ifdef READS_LIGHT_ALBEDO
+    lobe.ELight = directionalAlbedo(clamp(dot(s.normal, l), 0.0, 1.0), s.perceptualRoughness).w;
+#endif
     BrdfTerms terms = SELECTED_model(
-        BrdfInput(s.normal, s.view, l, s.baseColor, s.metallic, s.perceptualRoughness, alpha, E));
+        BrdfInput(s.normal, s.view, l, s.baseColor, s.metallic, s.perceptualRoughness, alpha, lobe));
     return terms.brdf * irradiance * terms.weight;
 }
 
-vec3 punctualLight(Surface s, float alpha, float E)
+vec3 punctualLight(Surface s, float alpha, LobeAlbedo lobe)
 {
     vec3 sum = vec3(0.0);
     for (uint i = 0; i < kDirectionalCount; ++i)
-        sum += reflected(s, alpha, E, lights[i].direction, lights[i].intensity);
+        sum += reflected(s, alpha, lobe, lights[i].direction, lights[i].intensity);
     for (uint i = 0; i < kPointCount + kSpotCount; ++i)
     {
         Light light = lights[kDirectionalCount + i];
@@ -41,7 +44,7 @@ vec3 punctualLight(Surface s, float alpha, float E)
         float attenuation = distanceAttenuation(distance2, light.inverseRange);
         if (i >= kPointCount)
             attenuation *= coneAttenuation(dot(l, light.direction), light.coneScale, light.coneOffset);
-        sum += reflected(s, alpha, E, l, light.intensity * attenuation);
+        sum += reflected(s, alpha, lobe, l, light.intensity * attenuation);
     }
     return sum;
 }
@@ -53,11 +56,12 @@ vec3 shade(Surface s)
     vec3 color = s.emissive;
 #ifdef DFG_TABLE
     vec4 albedo = directionalAlbedo(clamp(dot(s.normal, s.view), 0.0, 1.0), s.perceptualRoughness);
+    LobeAlbedo lobe = LobeAlbedo(albedo.w, albedo.y, 1.0, averageAlbedo(s.perceptualRoughness));
 #else
-    vec4 albedo = vec4(0.0, 0.0, 0.0, 1.0);
+    const LobeAlbedo lobe = LobeAlbedo(1.0, 0.0, 1.0, 1.0); // no method reads it
 #endif
 #ifdef PUNCTUAL_LIGHTS
-    color += punctualLight(s, alpha, albedo.w);
+    color += punctualLight(s, alpha, lobe);
 #endif
 #ifdef ENVIRONMENT_LIGHT
     color += environmentLight(s, alpha, albedo);

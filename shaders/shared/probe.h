@@ -35,6 +35,15 @@ struct ProbeRow
     vec3 baseColor;
     float metallic;
     float E;
+    float bias;
+    float ELight;
+    float EAverage;
+    vec3 single;
+    vec3 spread;
+    vec3 F;
+    vec3 FNoV;
+    vec3 FNoL;
+    vec3 lobeAlbedo;
 };
 
 SHARED_END

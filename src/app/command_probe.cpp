@@ -5,7 +5,7 @@
 #include "app/option_value.h"
 #include "app/probe_rows.h"
 #include "brdf/condition.h"
-#include "brdf/dfg.h"
+#include "brdf/lobe_albedo.h"
 #include "core/atomic_write.h"
 #include "core/data_folder.h"
 #include "core/nearest_name.h"
@@ -115,11 +115,18 @@ Term chooseTerm(const Options& options)
             std::string(method.id)};
 }
 
-// With E of the very point, wherever differences move it.
+void readOtherTerms(const ProbeTerm& term, ShadingPoint& point)
+{
+    if (term.readsInterface)
+        brdf::setInterface(point);
+    else if (term.readsAlbedo)
+        brdf::setLobeAlbedo(point);
+}
+
+// With the other terms of the very point, wherever differences move it.
 dvec3 exactValue(const ProbeTerm& term, ShadingPoint point)
 {
-    if (term.readsAlbedo)
-        point.E = brdf::lobeAlbedo(std::clamp(point.NoV, 0.0, 1.0), point.perceptualRoughness);
+    readOtherTerms(term, point);
     return term.formula(point);
 }
 
@@ -152,8 +159,7 @@ std::vector<Result> evaluate(const gpu::Device& device, gpu::ShaderLibrary& shad
     const auto formula = [&](const ShadingPoint& point) { return exactValue(term, point); };
     constexpr std::size_t kGrain = 16;
     parallelFor(points.size(), kGrain, [&](std::size_t i) {
-        if (term.readsAlbedo)
-            points[i].E = brdf::lobeAlbedo(std::clamp(points[i].NoV, 0.0, 1.0), points[i].perceptualRoughness);
+        readOtherTerms(term, points[i]);
         results[i].exact = formula(points[i]);
         results[i].kappa = brdf::conditionNumber(formula, points[i]);
     });

@@ -27,6 +27,15 @@ ShadingPoint pointFrom(const Geometry& geometry, const ShadingPoint& rest)
     point.baseColor = rest.baseColor;
     point.metallic = rest.metallic;
     point.E = rest.E;
+    point.bias = rest.bias;
+    point.ELight = rest.ELight;
+    point.EAverage = rest.EAverage;
+    point.single = rest.single;
+    point.spread = rest.spread;
+    point.F = rest.F;
+    point.FNoV = rest.FNoV;
+    point.FNoL = rest.FNoL;
+    point.lobeAlbedo = rest.lobeAlbedo;
     return point;
 }
 

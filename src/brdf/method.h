@@ -23,7 +23,8 @@ enum class Slot
     visibility,           // V = G / (4 NoV NoL), 1
     fresnel,              // F per colour channel
     diffuse,              // diffuse BRDF per colour channel, 1/sr
-    multipleScattering,   // factor on the specular lobe per colour channel
+    diffuseWeight,        // share of it that the interface above lets through, per colour channel
+    multipleScattering,   // the specular lobe with what is reflected more than once, per colour channel, 1/sr
     environmentDiffuse,   // irradiance / pi from an environment
     environmentSpecular,  // prefiltered radiance from an environment
     dfg,                  // directional albedo terms of the specular lobe
@@ -96,6 +97,8 @@ struct Method
     bool reciprocal;                          // claims f(v, l) = f(l, v)
     bool gainsEnergy = false;                 // somewhere in its domain it returns more light than it receives
     Interface needs = Interface::reflectance; // of the slot fresnel
+    bool readsAlbedo = false;                 // of diffuse_weight and multiple_scattering: the lobe's albedo at NoV
+    bool readsLightAlbedo = false;            // and at NoL, and its mean
     Formula formula;
     std::string_view file = {}; // GLSL below shaders/, of a slot whose functions do not stand in shaders/brdf/<slot>
 };
@@ -114,6 +117,7 @@ struct Preset
     const Method* visibility;
     const Method* fresnel;
     const Method* diffuse;
+    const Method* diffuseWeight;
     const Method* multipleScattering;
     const Method* environmentDiffuse;
     const Method* environmentSpecular;
@@ -127,7 +131,7 @@ struct Preset
 };
 
 /// True for the model `gltf`, which is composed of the preset's methods; false for a source system, which has none in
-/// the slots of D, V, F, diffuse and multiple scattering.
+/// the slots of D, V, F, diffuse, its weight and multiple scattering.
 bool isComposed(const Preset& preset);
 
 /// `standard` (the default), `gltf`, and the source systems.

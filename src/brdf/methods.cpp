@@ -3,6 +3,7 @@
 #include "brdf/area_light.h"
 #include "brdf/dfg.h"
 #include "brdf/diffuse.h"
+#include "brdf/diffuse_weight.h"
 #include "brdf/distribution.h"
 #include "brdf/fresnel.h"
 #include "brdf/model.h"
@@ -300,6 +301,30 @@ constexpr Method kMethods[] = {
      .gainsEnergy = true,
      .formula = ColorFormula(&Fd_eon_approx)},
 
+    {.slot = Slot::diffuseWeight,
+     .id = "fresnel_voh",
+     .citation = "glTF 2.0, Appendix B, fresnel_mix: 1 - F(VoH)",
+     .approximates = "albedo_scaling",
+     .domain = {.text = "all"},
+     .reciprocal = true,
+     .formula = ColorFormula(&W_fresnel_voh)},
+    {.slot = Slot::diffuseWeight,
+     .id = "fresnel_nol_nov",
+     .citation =
+         "Shirley et al. 1997, A Practitioners' Assessment of Light Reflection Models, without its 21/(20 (1 - F0))",
+     .approximates = "light that enters and leaves a smooth interface once",
+     .domain = {.text = "all"},
+     .reciprocal = true,
+     .formula = ColorFormula(&W_fresnel_nol_nov)},
+    {.slot = Slot::diffuseWeight,
+     .id = "albedo_scaling",
+     .citation = "Kulla & Conty 2017; OpenPBR 1.1, section on the layering operator: 1 - E(NoV)",
+     .approximates = "what the interface has not reflected, of all light towards the viewer",
+     .domain = {.text = "D ggx with V smith_corr, whose E it is"},
+     .reciprocal = false, // E is taken at NoV alone
+     .readsAlbedo = true,
+     .formula = ColorFormula(&W_albedo_scaling)},
+
     {.slot = Slot::multipleScattering,
      .id = "none",
      .citation = "glTF 2.0, Appendix B: light that meets a second microfacet is lost",
@@ -313,7 +338,26 @@ constexpr Method kMethods[] = {
      .approximates = "a random walk between microfacets",
      .domain = {.text = "D ggx with V smith_corr, whose E it is"},
      .reciprocal = false, // E is taken at NoV alone
+     .readsAlbedo = true,
      .formula = ColorFormula(&M_scale)},
+    {.slot = Slot::multipleScattering,
+     .id = "kulla_conty",
+     .citation = "Kulla & Conty 2017, f_ms; Hill 2018, A Multi-Faceted Exploration, part 4: F_ms",
+     .approximates = "a random walk between microfacets",
+     .domain = {.text = "D ggx with V smith_corr, whose E it is"},
+     .reciprocal = true,
+     .readsAlbedo = true,
+     .readsLightAlbedo = true,
+     .formula = ColorFormula(&M_kulla_conty)},
+    {.slot = Slot::multipleScattering,
+     .id = "fdez_aguera",
+     .citation =
+         "Fdez-Aguera 2019, A Multiple-Scattering Microfacet Model for Real-Time Image-Based Lighting, F_ms E_ms",
+     .approximates = "a random walk between microfacets, its light spread as Lambert's",
+     .domain = {.text = "made for environments; D ggx with V smith_corr, whose E it is"},
+     .reciprocal = false, // E is taken at NoV alone
+     .readsAlbedo = true,
+     .formula = ColorFormula(&M_fdez_aguera)},
 
     {.slot = Slot::environmentDiffuse,
      .id = "irradiance_cube",

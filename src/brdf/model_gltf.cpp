@@ -1,6 +1,8 @@
 #include "brdf/brdf.h"
-#include "brdf/dfg.h"
+#include "brdf/lobe_albedo.h"
 #include "brdf/model.h"
+
+#include <algorithm>
 
 namespace torrance::brdf {
 namespace {
@@ -23,6 +25,40 @@ double maskingOfView(const Method& visibility, ShadingPoint point)
     return scalar(visibility, point) * 4.0 * point.NoV;
 }
 
+// Each takes ten thousand times as long as the rest: only what the methods read.
+void setAlbedos(const Preset& preset, ShadingPoint& lobe)
+{
+    if (!preset.multipleScattering->readsAlbedo && !preset.diffuseWeight->readsAlbedo)
+        return;
+    const AlbedoTerms view = lobeTerms(std::min(lobe.NoV, 1.0), lobe.perceptualRoughness);
+    lobe.E = view.albedo();
+    lobe.bias = view.bias;
+    if (!preset.multipleScattering->readsLightAlbedo)
+        return;
+    lobe.ELight = lobeTerms(std::min(lobe.NoL, 1.0), lobe.perceptualRoughness).albedo();
+    lobe.EAverage = averageLobeAlbedo(lobe.perceptualRoughness);
+}
+
+// What lies over the body reflects: Fresnel's term by the facet and by the surface as a whole, and the lobe's albedo,
+// multiple scattering included.
+void setInterfaceOfBody(const Preset& preset, const dvec3& F, ShadingPoint& lobe)
+{
+    const auto fresnelAt = [&](double cosine) {
+        ShadingPoint flat = lobe;
+        flat.VoH = cosine;
+        flat.oneLessVoH = 1.0 - cosine;
+        return color(*preset.fresnel, flat);
+    };
+    ShadingPoint whole = lobe;
+    whole.single = lobe.f0 * (lobe.E - lobe.bias) + lobe.bias;
+    whole.spread = dvec3(1);
+    whole.ELight = lobe.EAverage;
+    lobe.F = F;
+    lobe.FNoV = fresnelAt(std::min(lobe.NoV, 1.0));
+    lobe.FNoL = fresnelAt(std::min(lobe.NoL, 1.0));
+    lobe.lobeAlbedo = color(*preset.multipleScattering, whole);
+}
+
 } // namespace
 
 BrdfTerms model_gltf(const Preset& preset, const ShadingPoint& point)
@@ -35,8 +71,7 @@ BrdfTerms model_gltf(const Preset& preset, const ShadingPoint& point)
     lobe.f90 = dvec3(1);
     lobe.f82 = dvec3(1);
     lobe.alphaT = lobe.alphaB = lobe.alpha;
-    if (preset.multipleScattering->id != "none")
-        lobe.E = lobeAlbedo(point.NoV, point.perceptualRoughness);
+    setAlbedos(preset, lobe);
     terms.h = glm::normalize(point.v + point.l);
     terms.D = scalar(*preset.distribution, lobe);
     terms.V = scalar(*preset.visibility, lobe);
@@ -47,13 +82,16 @@ BrdfTerms model_gltf(const Preset& preset, const ShadingPoint& point)
     // Appendix B: metal_brdf = specular * F(base colour)
     lobe.f0 = point.baseColor;
     const dvec3 metalF = color(*preset.fresnel, lobe);
-    const dvec3 metal = specular * metalF * color(*preset.multipleScattering, lobe);
+    lobe.single = specular * metalF;
+    const dvec3 metal = color(*preset.multipleScattering, lobe);
 
     // Appendix B: dielectric_brdf = fresnel_mix(1.5, diffuse, specular)
     lobe.f0 = dvec3(kDielectricF0);
     const dvec3 F = color(*preset.fresnel, lobe);
-    const dvec3 reflected = specular * F * color(*preset.multipleScattering, lobe);
-    const dvec3 body = color(*preset.diffuse, lobe) * (dvec3(1) - F);
+    lobe.single = specular * F;
+    const dvec3 reflected = color(*preset.multipleScattering, lobe);
+    setInterfaceOfBody(preset, F, lobe);
+    const dvec3 body = color(*preset.diffuse, lobe) * color(*preset.diffuseWeight, lobe);
 
     const double m = point.metallic;
     terms.F0 = dvec3(kDielectricF0) * (1.0 - m) + point.baseColor * m;

@@ -24,6 +24,7 @@ Preset gltf()
             .visibility = known(Slot::visibility, "smith_corr"),
             .fresnel = known(Slot::fresnel, "schlick"),
             .diffuse = known(Slot::diffuse, "lambert"),
+            .diffuseWeight = known(Slot::diffuseWeight, "fresnel_voh"),
             .multipleScattering = known(Slot::multipleScattering, "none"),
             .environmentDiffuse = known(Slot::environmentDiffuse, "irradiance_cube"),
             .environmentSpecular = known(Slot::environmentSpecular, "split_sum"),
@@ -68,6 +69,8 @@ auto* place(P& preset, Slot slot)
         return &preset.fresnel;
     case Slot::diffuse:
         return &preset.diffuse;
+    case Slot::diffuseWeight:
+        return &preset.diffuseWeight;
     case Slot::multipleScattering:
         return &preset.multipleScattering;
     case Slot::environmentDiffuse:

@@ -40,7 +40,17 @@ struct ShadingPoint
     dvec3 baseColor = dvec3(1.0);
     double metallic = 0;
 
-    double E = 1; // directional albedo, at NoV, of the specular lobe with F = 1: what compensation divides by
+    // What the other terms tell multiple scattering. E is the directional albedo of the specular lobe with F = 1.
+    double E = 1;                    // at NoV
+    double bias = 0;                 // of it what Schlick's (1 - VoH)^5 takes (albedo.h)
+    double ELight = 1;               // at NoL
+    double EAverage = 1;             // its mean over the hemisphere, weighted by the cosine
+    dvec3 single = dvec3(1);         // the lobe of light reflected once, D V F
+    dvec3 spread = dvec3(1.0 / kPi); // a white Lambertian surface's
+
+    // What the interface over the body reflects.
+    dvec3 F = dvec3(0.04), FNoV = dvec3(0.04), FNoL = dvec3(0.04); // Fresnel's term at VoH, NoV and NoL
+    dvec3 lobeAlbedo = dvec3(0.04); // of the whole lobe at NoV, multiple scattering included
 };
 
 /// Fills the cosines, sin2H, oneLessVoH and the alphas from n, v, l and perceptualRoughness. n, v, l are normalised

@@ -20,6 +20,7 @@ constexpr SlotNames kSlotNames[] = {
     {Slot::visibility, "visibility", "V", true},
     {Slot::fresnel, "fresnel", "F", true},
     {Slot::diffuse, "diffuse", "Fd", true},
+    {Slot::diffuseWeight, "diffuse_weight", "W", true},
     {Slot::multipleScattering, "multiple_scattering", "M", true},
     {Slot::environmentDiffuse, "environment_diffuse", "Ed", false},
     {Slot::environmentSpecular, "environment_specular", "Es", false},
@@ -31,9 +32,19 @@ constexpr SlotNames kSlotNames[] = {
 };
 
 constexpr Slot kSlots[] = {
-    Slot::model,    Slot::distribution,       Slot::visibility,           Slot::fresnel,
-    Slot::diffuse,  Slot::multipleScattering, Slot::environmentDiffuse,   Slot::environmentSpecular,
-    Slot::dfg,      Slot::areaLight,          Slot::specularAntialiasing, Slot::tone,
+    Slot::model,
+    Slot::distribution,
+    Slot::visibility,
+    Slot::fresnel,
+    Slot::diffuse,
+    Slot::diffuseWeight,
+    Slot::multipleScattering,
+    Slot::environmentDiffuse,
+    Slot::environmentSpecular,
+    Slot::dfg,
+    Slot::areaLight,
+    Slot::specularAntialiasing,
+    Slot::tone,
     Slot::transfer,
 };
 

@@ -41,8 +41,10 @@ std::array<double, kProbeScalars> probeScalars(const brdf::ShadingPoint& point)
     row.add(point.ior);
     for (const dvec3& color : {point.eta, point.k, point.f82, point.baseColor})
         row.add(color);
-    row.add(point.metallic);
-    row.add(point.E);
+    for (const double scalar : {point.metallic, point.E, point.bias, point.ELight, point.EAverage})
+        row.add(scalar);
+    for (const dvec3& color : {point.single, point.spread, point.F, point.FNoV, point.FNoL, point.lobeAlbedo})
+        row.add(color);
     return row.all();
 }
 

@@ -25,7 +25,9 @@ std::string argumentsOf(Slot slot)
     case Slot::diffuse:
         return "row.NoV, row.NoL, row.VoL, row.NoH, row.VoH, row.alpha, row.perceptualRoughness, row.baseColor";
     case Slot::multipleScattering:
-        return "row.f0, row.E";
+        return "row.single, row.spread, row.f0, row.bias, row.E, row.ELight, row.EAverage";
+    case Slot::diffuseWeight:
+        return "row.F, row.FNoV, row.FNoL, row.lobeAlbedo";
     default:
         return {};
     }
@@ -89,7 +91,7 @@ ProbeTerm makeProbeTerm(const brdf::Method& method)
     return {.formula = [&method](const brdf::ShadingPoint& point) { return valueOf(method, point); },
             .selected = "#include \"" + brdf::glslPath(method) + "\"\n#define PROBE_VALUE vec3(" +
                         brdf::functionName(method) + "(" + argumentsOf(method.slot) + "))\n",
-            .readsAlbedo = method.slot == Slot::multipleScattering};
+            .readsInterface = method.slot == Slot::multipleScattering || method.slot == Slot::diffuseWeight};
 }
 
 ProbeTerm makeBrdfTerm(const brdf::Preset& preset)
@@ -98,8 +100,9 @@ ProbeTerm makeBrdfTerm(const brdf::Preset& preset)
             .selected =
                 brdf::selectedGlsl(preset) +
                 "#define PROBE_VALUE SELECTED_model(BrdfInput(row.n, row.v, row.l, row.baseColor, row.metallic, "
-                "row.perceptualRoughness, row.alpha, row.E)).brdf\n",
-            .readsAlbedo = brdf::isComposed(preset) && preset.multipleScattering->id != "none"};
+                "row.perceptualRoughness, row.alpha, LobeAlbedo(row.E, row.bias, row.ELight, row.EAverage))).brdf\n",
+            .readsAlbedo = brdf::isComposed(preset) &&
+                           (preset.multipleScattering->readsAlbedo || preset.diffuseWeight->readsAlbedo)};
 }
 
 ProbeTerm makeAlbedoTerm()

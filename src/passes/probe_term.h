@@ -14,9 +14,10 @@ struct ProbeTerm
 {
     std::function<dvec3(const brdf::ShadingPoint&)> formula; // scalars in all three channels
     std::string selected;                                    // text of selected.glsl for shaders/passes/probe.frag
-    bool readsAlbedo = false;                                // the device is given E, the point's member
-    std::string_view table = "table";                        // the row of slot dfg that is looked up
-    bool readsTable = false;                                 // the device looks up the table of directional albedos
+    bool readsAlbedo = false;         // the device is given E, bias, ELight, EAverage of the point: setLobeAlbedo
+    bool readsInterface = false;      // and what else setInterface sets (brdf/lobe_albedo.h)
+    std::string_view table = "table"; // the row of slot dfg that is looked up
+    bool readsTable = false;          // the device looks up the table of directional albedos
 };
 
 /// A method with a shading function (of a model: the whole BRDF), or the table of slot dfg (scale, bias, w). An Error

@@ -67,11 +67,13 @@ std::string selectedText(const ShadingPlan& plan, const ShaderKey& key)
     define(text, "ENVIRONMENT_LIGHT", lit && plan.environmentLight);
     define(text, "IRRADIANCE_SH9",
            lit && plan.environmentLight && plan.settings.methods.environmentDiffuse->id == "sh9");
-    const bool readsAlbedo = lit && (plan.environmentLight || (key.compensates && !plan.lights.empty()));
-    define(text, "DFG_TABLE", readsAlbedo);
-    if (const brdf::Method* dfg = plan.settings.methods.dfg; readsAlbedo && !brdf::findDfgTable(dfg->id))
+    const bool lightsReadAlbedo = lit && readsAlbedo(plan.settings.methods, key.compensates) && !plan.lights.empty();
+    const bool table = lit && (plan.environmentLight || lightsReadAlbedo);
+    define(text, "DFG_TABLE", table);
+    if (const brdf::Method* dfg = plan.settings.methods.dfg; table && !brdf::findDfgTable(dfg->id))
         text += "#include \"" + brdf::glslPath(*dfg) + "\"\n#define DFG_FIT " + brdf::functionName(*dfg) + "\n";
-    define(text, "COMPENSATES", key.compensates);
+    define(text, "READS_LIGHT_ALBEDO",
+           lightsReadAlbedo && key.compensates && plan.settings.methods.multipleScattering->readsLightAlbedo);
     defineUv(text, key.baseColor, "BASE_COLOR_UV", "inBaseColorUv");
     defineUv(text, key.metallicRoughness, "METALLIC_ROUGHNESS_UV", "inMetallicRoughnessUv");
     defineUv(text, key.normal, "NORMAL_UV", "inNormalUv");

@@ -270,7 +270,8 @@ void Planner::planLighting()
     const bool hasEnvironment = scene.environment && scene.environment->intensity > 0.0;
     plan.environmentLight = hasEnvironment && lit;
     plan.panorama = hasEnvironment && plan.settings.background == BackgroundKind::environment;
-    plan.dfgTable = plan.environmentLight || (compensates && !plan.lights.empty());
+    plan.dfgTable =
+        plan.environmentLight || (lit && readsAlbedo(plan.settings.methods, compensates) && !plan.lights.empty());
     if (hasEnvironment && !lit)
         plan.remarks.push_back({"environment", "not prefiltered", "no surface is lit"});
     if (hasEnvironment && !plan.panorama)
@@ -280,11 +281,20 @@ void Planner::planLighting()
         plan.settings.methods.diffuse->id != "lambert")
         plan.remarks.push_back({"environment", "its diffuse light is Lambert's",
                                 std::string(plan.settings.methods.diffuse->id) + " has no table"});
+    if (plan.environmentLight && brdf::isComposed(plan.settings.methods) &&
+        plan.settings.methods.fresnel->id != "schlick")
+        plan.remarks.push_back({"environment", "its Fresnel term is Schlick's",
+                                std::string(plan.settings.methods.fresnel->id) + " has no table"});
     if (!plan.dfgTable)
         plan.remarks.push_back({"directional albedo table", "left out", "no shader reads it"});
 }
 
 } // namespace
+
+bool readsAlbedo(const brdf::Preset& methods, bool compensates)
+{
+    return brdf::isComposed(methods) && (compensates || methods.diffuseWeight->readsAlbedo);
+}
 
 ShadingPlan makePlan(const Scene& scene, const Settings& settings)
 {

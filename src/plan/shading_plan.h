@@ -63,6 +63,9 @@ struct ShadingPlan
 /// Throws Error (usage) where methods are combined that no table was made for.
 ShadingPlan makePlan(const Scene& scene, const Settings& settings);
 
+/// Whether a punctual light's part needs the table of directional albedos.
+bool readsAlbedo(const brdf::Preset& methods, bool compensates);
+
 /// The text of selected.glsl for one key: methods and defines.
 std::string selectedText(const ShadingPlan& plan, const ShaderKey& key);
 

@@ -2,9 +2,11 @@
 
 #include "brdf/albedo.h"
 #include "brdf/brdf.h"
+#include "brdf/lobe_albedo.h"
 #include "core/error.h"
 
 #include <algorithm>
+#include <cmath>
 #include <string>
 
 namespace torrance {
@@ -25,8 +27,37 @@ void requireClosedForm(const brdf::Preset& preset)
     require(preset.visibility, "smith_corr");
     require(preset.fresnel, "schlick");
     require(preset.diffuse, "lambert");
-    if (preset.multipleScattering->id != "none")
-        require(preset.multipleScattering, "scale");
+}
+
+const dvec3 kF0(brdf::kDielectricF0);
+
+/// What the lobe returns of uniform light, multiple scattering included.
+dvec3 furnaceLobe(const brdf::Method& method, const brdf::AlbedoTerms& terms, double perceptualRoughness,
+                  const dvec3& f0)
+{
+    const double E = terms.albedo();
+    const dvec3 once = f0 * terms.scale + terms.bias;
+    const dvec3 meanF = f0 + (1.0 - f0) / 21.0;
+    if (method.id == "scale") // Turquin 2019, eq. 16, on the lobe that returns E where F = 1
+        return once * (1.0 + f0 * (1.0 / E - 1.0));
+    if (method.id == "kulla_conty") { // Kulla & Conty 2017, with the sum over bounces of Hill 2018
+        const double mean = brdf::averageLobeAlbedo(perceptualRoughness);
+        return once + (1.0 - E) * meanF * meanF * mean / (1.0 - meanF * (1.0 - mean));
+    }
+    if (method.id == "fdez_aguera") // Fdez-Aguera 2019: F_ms E_ms
+        return once + (1.0 - E) * once * meanF / (1.0 - meanF * (1.0 - E));
+    return once;
+}
+
+/// The share of uniform light that the dielectric's interface leaves to a Lambertian body; `lobe` is what it reflects.
+double furnaceWeight(const brdf::Method& method, double NoV, double lobe)
+{
+    constexpr double f0 = brdf::kDielectricF0;
+    if (method.id == "albedo_scaling")
+        return 1.0 - lobe;
+    if (method.id == "fresnel_nol_nov") // Schlick's term, and its mean over the light directions
+        return (1.0 - f0) * (1.0 - std::pow(1.0 - NoV, 5)) * (1.0 - f0) * (1.0 - 1.0 / 21.0);
+    return (1.0 - f0) * (1.0 - brdf::schlickDiffuseWeight(NoV));
 }
 
 } // namespace
@@ -48,14 +79,11 @@ dvec3 shadeFurnace(const brdf::Preset& preset, const MaterialPoint& material, co
     requireClosedForm(preset);
     const double NoV = std::clamp(glm::dot(material.normal, view), 0.0, 1.0);
     const brdf::AlbedoTerms terms = brdf::ggxAlbedo(NoV, material.perceptualRoughness);
-    const bool compensated = preset.multipleScattering->id == "scale";
     const auto specular = [&](const dvec3& f0) {
-        // Turquin 2019, eq. 16, on the lobe that returns E where F = 1
-        const dvec3 factor = compensated ? 1.0 + f0 * (1.0 / terms.albedo() - 1.0) : dvec3(1.0);
-        return factor * (f0 * terms.scale + terms.bias);
+        return furnaceLobe(*preset.multipleScattering, terms, material.perceptualRoughness, f0);
     };
-    const dvec3 diffuse = material.baseColor * ((1.0 - brdf::kDielectricF0) * (1.0 - brdf::schlickDiffuseWeight(NoV)));
-    const dvec3 dielectric = diffuse + specular(dvec3(brdf::kDielectricF0));
+    const dvec3 diffuse = material.baseColor * furnaceWeight(*preset.diffuseWeight, NoV, specular(kF0).r);
+    const dvec3 dielectric = diffuse + specular(kF0);
     return radiance * (dielectric * (1.0 - material.metallic) + specular(material.baseColor) * material.metallic);
 }
 

@@ -17,9 +17,9 @@ dvec3 shadePunctual(const brdf::Preset& preset, const MaterialPoint& material, c
 
 /// The same for light of one radiance from every direction: the furnace, in closed form. F = F0 + (1 - F0) w5 splits
 /// the specular integral into F0 scale + bias, and glTF's diffuse (1 - F) c / pi integrates to (1 - F0)(1 - w) c
-/// (brdf/albedo.h); compensation depends on n.v alone and stays a factor. Where n.v <= 0 it is the limit n.v = 0.
-/// Occlusion is not applied. Throws Error (usage) for methods that the closed form does not cover: anything but ggx,
-/// smith_corr, schlick and lambert.
+/// (brdf/albedo.h); every method of multiple scattering and every weight of the body has its own closed form. Where
+/// n.v <= 0 it is the limit n.v = 0. Occlusion is not applied. Throws Error (usage) for methods that the closed form
+/// does not cover: anything but ggx, smith_corr, schlick and lambert.
 dvec3 shadeFurnace(const brdf::Preset& preset, const MaterialPoint& material, const dvec3& view, const dvec3& radiance);
 
 /// Everything that a point sees: where it stands, and from where light comes.

@@ -1,7 +1,7 @@
 #include "study/probe_check.h"
 
 #include "brdf/condition.h"
-#include "brdf/dfg.h"
+#include "brdf/lobe_albedo.h"
 #include "core/parallel.h"
 #include "study/probe_grid.h"
 
@@ -32,10 +32,12 @@ dvec3 asFloat(const dvec3& x)
 // The point whose scalars are those that the device sees: both sides then compute from the same numbers.
 ShadingPoint scalarsRounded(ShadingPoint p)
 {
-    for (double* scalar : {&p.NoV, &p.NoL, &p.VoL, &p.NoH, &p.VoH, &p.oneLessVoH, &p.sin2H, &p.ToH, &p.BoH,
-                           &p.perceptualRoughness, &p.alpha, &p.alphaT, &p.alphaB, &p.ior, &p.metallic, &p.E})
+    for (double* scalar :
+         {&p.NoV, &p.NoL, &p.VoL, &p.NoH, &p.VoH, &p.oneLessVoH, &p.sin2H, &p.ToH, &p.BoH, &p.perceptualRoughness,
+          &p.alpha, &p.alphaT, &p.alphaB, &p.ior, &p.metallic, &p.E, &p.bias, &p.ELight, &p.EAverage})
         *scalar = asFloat(*scalar);
-    for (dvec3* color : {&p.f0, &p.f90, &p.eta, &p.k, &p.f82, &p.baseColor})
+    for (dvec3* color : {&p.f0, &p.f90, &p.eta, &p.k, &p.f82, &p.baseColor, &p.single, &p.spread, &p.F, &p.FNoV,
+                         &p.FNoL, &p.lobeAlbedo})
         *color = asFloat(*color);
     return p;
 }
@@ -104,7 +106,7 @@ std::vector<ShadingPoint> rowsFor(const ProbeTerm& term)
         std::vector<ShadingPoint> part;
         for (std::size_t i = 0; i < rows.size(); i += kPart) {
             part.push_back(rows[i]);
-            part.back().E = lobeAlbedo(rows[i].NoV, rows[i].perceptualRoughness);
+            setLobeAlbedo(part.back());
         }
         rows = part;
     }

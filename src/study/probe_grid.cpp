@@ -35,6 +35,11 @@ void giveMaterial(ShadingPoint& point, Random& random)
     point.f82 = random.color();
     setAnisotropy(point, random.direction(), random.uniform(0, 1));
     point.E = random.uniform(0.3, 1.0);
+    point.bias = point.E * random.uniform(0.0, 1.0);
+    point.ELight = random.uniform(0.3, 1.0);
+    point.EAverage = random.uniform(0.4, 1.0);
+    for (dvec3* color : {&point.single, &point.F, &point.FNoV, &point.FNoL, &point.lobeAlbedo})
+        *color = random.color();
 }
 
 // Turns the +Z axis into n.

@@ -1,6 +1,7 @@
 // glTF 2.0, Appendix B, from the methods of selected.glsl, which is what includes this file.
 #include "material/brdf_terms.glsl"
 #include "material/half_vector.glsl"
+#include "material/reflectance.glsl"
 #include "shared/constants.h"
 
 BrdfTerms model_gltf(BrdfInput x)
@@ -22,11 +23,16 @@ BrdfTerms model_gltf(BrdfInput x)
     vec3 diffuse = SELECTED_diffuse(NoV, NoL, dot(x.v, x.l), h.NoH, h.VoH, x.alpha, x.perceptualRoughness, x.baseColor);
 
     const vec3 f0 = vec3(kDielectricF0);
-    vec3 F = SELECTED_fresnel(h.VoH, h.oneLessVoH, f0, vec3(1.0), kDielectricIor, vec3(kDielectricIor), vec3(0.0), vec3(1.0));
-    vec3 body = diffuse * (1.0 - F);
-    vec3 reflected = specular * F * SELECTED_multiple_scattering(f0, x.E);
-    vec3 metalF = SELECTED_fresnel(h.VoH, h.oneLessVoH, x.baseColor, vec3(1.0), kDielectricIor, vec3(kDielectricIor), vec3(0.0), vec3(1.0));
-    vec3 metal = specular * metalF * SELECTED_multiple_scattering(x.baseColor, x.E);
+    vec3 F = reflectance(h.VoH, h.oneLessVoH, f0);
+    vec3 metalF = reflectance(h.VoH, h.oneLessVoH, x.baseColor);
+    LobeAlbedo a = x.lobe;
+    const vec3 spread = vec3(1.0 / PI);
+    vec3 reflected = SELECTED_multiple_scattering(specular * F, spread, f0, a.bias, a.E, a.ELight, a.EAverage);
+    vec3 metal = SELECTED_multiple_scattering(specular * metalF, spread, x.baseColor, a.bias, a.E, a.ELight, a.EAverage);
+
+    // The albedo of the dielectric's whole lobe: what it returns of uniform light.
+    vec3 returned = SELECTED_multiple_scattering(f0 * (a.E - a.bias) + a.bias, vec3(1.0), f0, a.bias, a.E, a.EAverage, a.EAverage);
+    vec3 body = diffuse * SELECTED_diffuse_weight(F, reflectance(NoV, 1.0 - NoV, f0), reflectance(NoL, 1.0 - NoL, f0), returned);
 
     // Not mix(): a(1 - m) + b m is a at m = 0 and b at m = 1, to the bit.
     float m = x.metallic;

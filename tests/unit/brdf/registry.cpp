@@ -135,6 +135,8 @@ TEST(Selection, IncludesAndDefinesOneFunctionPerSlot)
 #define SELECTED_fresnel F_schlick
 #include "brdf/diffuse/lambert.glsl"
 #define SELECTED_diffuse Fd_lambert
+#include "brdf/diffuse_weight/fresnel_voh.glsl"
+#define SELECTED_diffuse_weight W_fresnel_voh
 #include "brdf/multiple_scattering/scale.glsl"
 #define SELECTED_multiple_scattering M_scale
 #include "brdf/model/gltf.glsl"
@@ -146,8 +148,8 @@ TEST(Selection, IncludesAndDefinesOneFunctionPerSlot)
 TEST(Preset, OfASourceHasNoMethodsBesideItsModel)
 {
     for (const Preset& preset : allPresets())
-        for (const Slot slot :
-             {Slot::distribution, Slot::visibility, Slot::fresnel, Slot::diffuse, Slot::multipleScattering})
+        for (const Slot slot : {Slot::distribution, Slot::visibility, Slot::fresnel, Slot::diffuse, Slot::diffuseWeight,
+                                Slot::multipleScattering})
             EXPECT_EQ(preset[slot] != nullptr, isComposed(preset)) << preset.id << ' ' << slotName(slot);
     EXPECT_EQ(selectedGlsl(*findPreset("ue4-direct")), R"(const bool QUIRK_double_fresnel = false;
 #include "brdf/model/ue4_direct.glsl"
