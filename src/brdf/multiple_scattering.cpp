@@ -30,7 +30,7 @@ dvec3 M_kulla_conty(const ShadingPoint& point)
     const double in = std::max(0.0, 1.0 - point.ELight), out = std::max(0.0, 1.0 - point.E);
     const dvec3 F = averageSchlick(point.f0);
     const dvec3 bounces = F * F * point.EAverage / (dvec3(1) - F * lost);
-    return point.single + point.spread * bounces * (in * out / (lost + kLeastDenominator));
+    return point.single + point.spread * bounces * (in * out / std::max(lost, kLeastDenominator));
 }
 
 // Fdez-Aguera 2019: the k-th bounce keeps F^k of what is left, and leaves as from a Lambertian surface. The paper does

@@ -4,9 +4,9 @@
 #include "scene/camera_fit.h"
 #include "study/analytic_scenes.h"
 
-#include <cassert>
 #include <cmath>
 #include <fmt/format.h>
+#include <functional>
 
 namespace torrance {
 namespace {
@@ -37,17 +37,9 @@ double cosineOfView(const PixelInputs& inputs)
     return apart2 < 1.0 ? std::sqrt(1.0 - apart2) : 0.0;
 }
 
-double modelled(const PixelInputs& inputs)
-{
-    return pixelRadiance(*brdf::findPreset("gltf"), inputs).value().r;
-}
+using Exact = std::function<double(const PixelInputs&)>;
 
-double all(const PixelInputs&)
-{
-    return 1.0;
-}
-
-PictureJudgement judgeFurnace(const PictureCase& c, const Image& drawn, double (*exact)(const PixelInputs&))
+PictureJudgement judgeFurnace(const PictureCase& c, const Image& drawn, const Exact& exact)
 {
     PictureJudgement judgement{
         .worst = {}, .fault = {}, .exact = Image(kSize, kSize, 4), .excess = Image(kSize, kSize, 1)};
@@ -72,19 +64,25 @@ PictureJudgement judgeFurnace(const PictureCase& c, const Image& drawn, double (
 
 } // namespace
 
-std::vector<PictureCase> furnaceCases(std::string_view preset, double metallic)
+std::vector<PictureCase> furnaceCases(const brdf::Preset& methods, std::string_view name, double metallic)
 {
-    assert(preset == "gltf" || (preset == "standard" && metallic == 1.0));
-    const auto exact = preset == "gltf" ? modelled : all;
+    Exact exact = [methods](const PixelInputs& inputs) { return pixelRadiance(methods, inputs).value().r; };
+    if (metallic == 1.0 && methods.multipleScattering->readsAlbedo)
+        exact = [](const PixelInputs&) { return 1.0; };
     std::vector<PictureCase> cases;
     for (const double roughness : kRoughnesses) {
         Scene scene = furnaceScene(metallic, roughness);
         const Camera camera = fitCamera(scene, {}, 1.0, 0.5, 0.02);
-        cases.push_back({fmt::format("{}, metallic {}, roughness {}", preset, metallic, roughness), std::move(scene),
-                         camera, squareSettings(*brdf::findPreset(preset), kSize),
+        cases.push_back({fmt::format("{}, metallic {}, roughness {}", name, metallic, roughness), std::move(scene),
+                         camera, squareSettings(methods, kSize),
                          [exact](const PictureCase& c, const Image& drawn) { return judgeFurnace(c, drawn, exact); }});
     }
     return cases;
+}
+
+std::vector<PictureCase> furnaceCases(std::string_view preset, double metallic)
+{
+    return furnaceCases(*brdf::findPreset(preset), preset, metallic);
 }
 
 } // namespace torrance

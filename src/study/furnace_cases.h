@@ -8,8 +8,9 @@
 
 namespace torrance {
 
-/// A sphere per roughness. In `gltf` a pixel should be what the integral of the model says; white metal in `standard`
-/// returns all light, 1.
+/// A sphere per roughness, with `name` in its name. A pixel should be what the integral of the model says; where
+/// multiple scattering is compensated, white metal returns all light, 1.
+std::vector<PictureCase> furnaceCases(const brdf::Preset& methods, std::string_view name, double metallic);
 std::vector<PictureCase> furnaceCases(std::string_view preset, double metallic);
 
 } // namespace torrance
