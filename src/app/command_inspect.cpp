@@ -15,13 +15,6 @@
 namespace torrance {
 namespace {
 
-struct Options
-{
-    std::vector<std::string> files;
-    std::optional<int> scene;
-    bool allowExternal = false;
-};
-
 /// A file that can be read has facts; one that can be drawn has a scene too, and otherwise an error.
 struct Inspected
 {
@@ -31,12 +24,13 @@ struct Inspected
     std::optional<Error> error;
 };
 
-Inspected inspect(const std::string& file, const LoadOptions& options)
+Inspected inspect(const std::string& file, const SceneOptions& options)
 {
     Inspected result{file, {}, {}, {}};
     try {
-        result.facts = readFacts(sceneFile(file), options);
-        result.loaded = loadScene(sceneFile(file), options);
+        if (options.primitive.empty())
+            result.facts = readFacts(sceneFile(file), loadOptions(options));
+        result.loaded = buildChosenScene(options, file);
         result.facts = result.loaded->facts;
     } catch (const Error& error) {
         result.error = error;
@@ -232,20 +226,13 @@ Json toJson(const Inspected& inspected)
     return object;
 }
 
-void declare(CLI::App& app, Options& options)
-{
-    app.add_option("FILE", options.files, "glTF or OBJ files")->required();
-    app.add_option("--scene", options.scene, "Scene to look at instead of the file's default")->type_name("NUMBER");
-    app.add_flag("--allow-external", options.allowExternal, "Follow URIs that leave the folder of the file");
-}
-
 /// Every file is looked at, whatever the others are; the last error decides the exit code.
-ExitCode run(const Options& options, const GlobalOptions& global)
+ExitCode run(const SceneOptions& options, const GlobalOptions& global)
 {
     ExitCode code = ExitCode::success;
     Json::Array files;
-    for (const std::string& file : options.files) {
-        const Inspected inspected = inspect(file, {.scene = options.scene, .allowExternal = options.allowExternal});
+    for (const std::string& file : sceneInputs(options)) {
+        const Inspected inspected = inspect(file, options);
         if (global.json != "-") // standard output holds one result
             writeStandardOutput(printable(text(inspected)));
         if (inspected.error) {
@@ -263,7 +250,7 @@ ExitCode run(const Options& options, const GlobalOptions& global)
 
 Command inspectCommand()
 {
-    return makeCommand<Options>("inspect", "Say what glTF and OBJ files hold and need", declare, run);
+    return makeCommand<SceneOptions>("inspect", "Say what glTF and OBJ files hold and need", declareSceneOptions, run);
 }
 
 } // namespace torrance

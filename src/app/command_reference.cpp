@@ -29,7 +29,6 @@ namespace {
 
 struct Options
 {
-    std::vector<std::string> inputs;
     int directions = 256;
     std::optional<double> targetError;
     std::optional<int> maxDirections;
@@ -87,14 +86,11 @@ void declareCheckpoints(CLI::App& app, Options& o)
 
 void declare(CLI::App& app, Options& o)
 {
-    app.add_option("inputs", o.inputs, "Scenes: .gltf or .glb; 'demo' is the built-in one")
-        ->required()
-        ->type_name("FILE...");
+    declareSceneOptions(app, o.scene);
     declareOutputOptions(app, o.output);
     declarePictureOptions(app, o.picture);
     declareSampling(app, o);
     declareCheckpoints(app, o);
-    declareSceneOptions(app, o.scene);
     declareCameraOptions(app, o.camera);
     declareEnvironmentOptions(app, o.environment);
     declareMethodOptions(app, o.methods);
@@ -272,13 +268,14 @@ Json draw(Session& session, const std::string& input, const std::string& output)
 
 ExitCode run(const Options& options, const GlobalOptions& global)
 {
-    const std::vector<std::string> outputs = outputNames(options.output, options.inputs);
+    const std::vector<std::string> inputs = sceneInputs(options.scene);
+    const std::vector<std::string> outputs = outputNames(options.output, inputs);
     if (global.json == "-" && options.output.pattern == "-")
         throw usageError("--output and --json both name standard output", "give one of them a file");
     Session session(options);
     Json::Array pictures;
     for (std::size_t i = 0; i < outputs.size(); ++i) {
-        pictures.push_back(draw(session, options.inputs[i], outputs[i]));
+        pictures.push_back(draw(session, inputs[i], outputs[i]));
         if (outputs[i] != "-")
             logInfo("wrote " + outputs[i]);
     }

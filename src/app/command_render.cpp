@@ -24,7 +24,6 @@ namespace {
 
 struct Options
 {
-    std::vector<std::string> inputs;
     int samples = 1;
     std::string path = "forward";
     std::string layers;
@@ -42,9 +41,7 @@ constexpr int kMaxSamples = 4096;
 
 void declare(CLI::App& app, Options& o)
 {
-    app.add_option("inputs", o.inputs, "Scenes: .gltf, .glb or .obj; 'demo' is the built-in one")
-        ->required()
-        ->type_name("FILE...");
+    declareSceneOptions(app, o.scene);
     declareOutputOptions(app, o.output);
     declarePictureOptions(app, o.picture);
     app.add_option("--samples", o.samples, "Samples per pixel, placed by the reconstruction filter (default 1)")
@@ -58,7 +55,6 @@ void declare(CLI::App& app, Options& o)
     addChoice(app, "--path", o.path, {"forward", "deferred"},
               "Shade surfaces as they are drawn (default), or from a G-buffer of floats, once a pixel")
         ->group("Methods");
-    declareSceneOptions(app, o.scene);
     app.add_flag("--explain", o.explain, "Print what is computed for the scene, what is left out and why");
     declareCameraOptions(app, o.camera);
     declareEnvironmentOptions(app, o.environment);
@@ -145,14 +141,15 @@ Json draw(Session& session, const std::string& input, const std::string& output)
 
 ExitCode run(const Options& options, const GlobalOptions& global)
 {
-    const std::vector<std::string> outputs = outputNames(options.output, options.inputs);
+    const std::vector<std::string> inputs = sceneInputs(options.scene);
+    const std::vector<std::string> outputs = outputNames(options.output, inputs);
     checkLayerNames(options.layers);
     if (global.json == "-" && options.output.pattern == "-")
         throw usageError("--output and --json both name standard output", "give one of them a file");
     Session session(options, global);
     Json::Array pictures;
     for (std::size_t i = 0; i < outputs.size(); ++i) {
-        pictures.push_back(draw(session, options.inputs[i], outputs[i]));
+        pictures.push_back(draw(session, inputs[i], outputs[i]));
         if (outputs[i] != "-")
             logInfo("wrote " + outputs[i]);
     }

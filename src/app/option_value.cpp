@@ -2,6 +2,7 @@
 
 #include "core/error.h"
 #include "core/nearest_name.h"
+#include "image/srgb.h"
 
 #include <CLI/CLI.hpp>
 
@@ -18,6 +19,13 @@ std::string listed(const std::vector<std::string>& names)
     for (const std::string& name : names)
         text += (text.empty() ? "" : ", ") + name;
     return text;
+}
+
+int hexDigit(char c)
+{
+    const std::string_view digits = "0123456789abcdef";
+    const std::size_t at = digits.find(static_cast<char>(std::tolower(static_cast<unsigned char>(c))));
+    return at == std::string_view::npos ? -1 : static_cast<int>(at);
 }
 
 /// Empty where `value` is known: what CLI11 expects of a validator.
@@ -60,6 +68,20 @@ std::vector<double> parseNumbers(const std::string& option, const std::string& t
         throw usageError(option + " " + text + ": " + std::to_string(numbers.size()) + " numbers",
                          "it takes " + std::to_string(least) + (least == most ? "" : " to " + std::to_string(most)));
     return numbers;
+}
+
+std::optional<dvec3> parseHexColor(const std::string& text)
+{
+    if (text.size() != 7 || text[0] != '#')
+        return std::nullopt;
+    dvec3 color(0.0);
+    for (std::size_t c = 0; c < 3; ++c) {
+        const int high = hexDigit(text[1 + 2 * c]), low = hexDigit(text[2 + 2 * c]);
+        if (high < 0 || low < 0)
+            return std::nullopt;
+        color[static_cast<int>(c)] = srgbDecode((16 * high + low) / 255.0);
+    }
+    return color;
 }
 
 } // namespace torrance

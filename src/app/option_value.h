@@ -1,6 +1,9 @@
 // Kinds of option values that CLI11 does not know.
 #pragma once
 
+#include "math/vector.h"
+
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -18,5 +21,8 @@ CLI::Option* addChoice(CLI::App& app, const std::string& name, std::string& valu
 /// Between `least` and `most` finite numbers separated by commas; an Error (usage) names the option.
 std::vector<double> parseNumbers(const std::string& option, const std::string& text, std::size_t least,
                                  std::size_t most);
+
+/// #RRGGBB in sRGB, as linear light; nothing where the text is none.
+std::optional<dvec3> parseHexColor(const std::string& text);
 
 } // namespace torrance

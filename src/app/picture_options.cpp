@@ -2,7 +2,6 @@
 
 #include "app/option_value.h"
 #include "core/error.h"
-#include "image/srgb.h"
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
@@ -15,26 +14,13 @@ namespace {
 // A whole picture is 16 bytes a pixel in several copies: beyond this no machine that we know of holds it.
 constexpr int kMaxSide = 32768;
 
-int hexDigit(char c)
-{
-    const std::string_view digits = "0123456789abcdef";
-    const std::size_t at = digits.find(static_cast<char>(std::tolower(static_cast<unsigned char>(c))));
-    return at == std::string_view::npos ? -1 : static_cast<int>(at);
-}
-
 dvec3 parseColor(const std::string& text)
 {
-    dvec3 color(0.0);
-    bool valid = text.size() == 7 && text[0] == '#';
-    for (std::size_t c = 0; valid && c < 3; ++c) {
-        const int high = hexDigit(text[1 + 2 * c]), low = hexDigit(text[2 + 2 * c]);
-        valid = high >= 0 && low >= 0;
-        color[static_cast<int>(c)] = srgbDecode((16 * high + low) / 255.0);
-    }
-    if (!valid)
+    const auto color = parseHexColor(text);
+    if (!color)
         throw usageError("--background " + text + ": not a background",
                          "it takes environment, transparent or a colour such as #336699");
-    return color;
+    return *color;
 }
 
 } // namespace

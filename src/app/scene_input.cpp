@@ -1,19 +1,67 @@
 #include "app/scene_input.h"
 
+#include "app/option_value.h"
 #include "core/data_folder.h"
+#include "core/error.h"
 #include "core/log.h"
+#include "scene/shape_mesh.h"
 
 #include <CLI/CLI.hpp>
 
 namespace torrance {
+namespace {
+
+struct NamedMesh
+{
+    const char* name;
+    Primitive (*make)();
+};
+
+constexpr NamedMesh kPrimitives[] = {{"sphere", sphereMesh}, {"plane", planeMesh}, {"cube", cubeMesh}};
+
+LoadedScene primitiveScene(const std::string& name)
+{
+    LoadedScene loaded;
+    for (const NamedMesh& mesh : kPrimitives)
+        if (mesh.name == name)
+            loaded.scene.primitives.push_back(mesh.make());
+    loaded.scene.name = name;
+    loaded.scene.instances.push_back({});
+    loaded.facts = factsOfScene(loaded.scene);
+    return loaded;
+}
+
+} // namespace
 
 void declareSceneOptions(CLI::App& app, SceneOptions& options)
 {
+    app.add_option("files", options.files, "Scenes: .gltf, .glb or .obj; 'demo' is the built-in one")
+        ->type_name("FILE...");
+    std::vector<std::string> names;
+    for (const NamedMesh& mesh : kPrimitives)
+        names.emplace_back(mesh.name);
+    addChoice(app, "--primitive", options.primitive, names, "A shape instead of a file, of half size 1")
+        ->group("Scene");
     app.add_option("--scene", options.scene, "Scene of the file, from 0 (default: the file's own)")
         ->group("Scene")
         ->check(CLI::Range(0, 1 << 20));
     app.add_flag("--allow-external", options.allowExternal, "Follow URIs that leave the folder of the file")
         ->group("Scene");
+    declareMaterialOptions(app, options.material);
+}
+
+std::vector<std::string> sceneInputs(const SceneOptions& options)
+{
+    if (options.primitive.empty()) {
+        if (options.files.empty())
+            throw usageError("no scene was named", "give a file, demo, or --primitive");
+        return options.files;
+    }
+    if (!options.files.empty())
+        throw usageError("--primitive and " + options.files.front() + " exclude each other", "give one of them");
+    if (options.scene >= 0 || options.allowExternal)
+        throw usageError("--scene and --allow-external are for files", "leave them out with --primitive");
+    return {options.primitive};
 }
 
 bool isBuiltInScene(const std::string& input)
@@ -26,12 +74,26 @@ std::string sceneFile(const std::string& input)
     return isBuiltInScene(input) ? (dataFolder() / "assets" / "demo" / "demo.gltf").string() : input;
 }
 
-LoadedScene loadChosenScene(const SceneOptions& chosen, const std::string& input)
+LoadOptions loadOptions(const SceneOptions& chosen)
 {
     LoadOptions options = {.allowExternal = chosen.allowExternal};
     if (chosen.scene >= 0)
         options.scene = chosen.scene;
-    LoadedScene loaded = loadScene(sceneFile(input), options);
+    return options;
+}
+
+LoadedScene buildChosenScene(const SceneOptions& chosen, const std::string& input)
+{
+    LoadedScene loaded =
+        chosen.primitive.empty() ? loadScene(sceneFile(input), loadOptions(chosen)) : primitiveScene(chosen.primitive);
+    if (!chosen.primitive.empty() || choosesMaterial(chosen.material))
+        applyMaterial(chosen.material, loaded);
+    return loaded;
+}
+
+LoadedScene loadChosenScene(const SceneOptions& chosen, const std::string& input)
+{
+    LoadedScene loaded = buildChosenScene(chosen, input);
     for (const std::string& warning : loaded.warnings)
         logWarning(warning);
     return loaded;

@@ -2,9 +2,11 @@
 #pragma once
 
 #include "app/camera_options.h"
+#include "app/material_options.h"
 #include "files/scene_file.h"
 
 #include <string>
+#include <vector>
 
 namespace CLI {
 class App;
@@ -14,11 +16,19 @@ namespace torrance {
 
 struct SceneOptions
 {
+    std::vector<std::string> files;
+    std::string primitive; // instead of files; empty = none
+    MaterialOptions material;
     int scene = -1; // of the file, -1 = the file's own choice
     bool allowExternal = false;
 };
 
+/// The scenes themselves, --primitive, --scene, --allow-external and the options of the material.
 void declareSceneOptions(CLI::App& app, SceneOptions& options);
+
+/// What is drawn, by name: the files, or the primitive. Errors (usage): neither or both, an option that would have no
+/// effect.
+std::vector<std::string> sceneInputs(const SceneOptions& options);
 
 /// `demo`, which comes with a camera of its own.
 bool isBuiltInScene(const std::string& input);
@@ -26,7 +36,13 @@ bool isBuiltInScene(const std::string& input);
 /// The file of an input: `demo` is the built-in scene, anything else a path.
 std::string sceneFile(const std::string& input);
 
-/// Warnings of the file are logged.
+/// Of a file.
+LoadOptions loadOptions(const SceneOptions& options);
+
+/// One of sceneInputs, with the material that was chosen.
+LoadedScene buildChosenScene(const SceneOptions& options, const std::string& input);
+
+/// The same; its warnings are logged.
 LoadedScene loadChosenScene(const SceneOptions& options, const std::string& input);
 
 /// The camera options for an input: the built-in scene is composed for its own camera, which is taken where nothing

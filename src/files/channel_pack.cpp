@@ -83,7 +83,8 @@ double valueOf(const PackedChannel& source, int x, int y, const TextureImage& ta
     const double value = hasSize(*source.image, target.width, target.height)
                              ? texelValue(*source.image, x, y, source.channel)
                              : enlarged(source, x, y, target.width, target.height, wrap);
-    return source.change ? source.change(value) : value;
+    const double turned = source.inverted ? 1.0 - value : value;
+    return source.change ? source.change(turned) : turned;
 }
 
 } // namespace

@@ -26,6 +26,7 @@ struct PackedChannel
     double constant = 1.0;                     // 0 to 1
     std::function<double(double)> change = {}; // of every value, 0 to 1 to 0 to 1
     bool srgb = false;                         // enlarged in linear light
+    bool inverted = false;                     // 1 - value: of a code, exactly the code as far from the other end
 };
 
 /// The picture is as wide as the widest source and as high as the highest; smaller ones are enlarged, filtered as a

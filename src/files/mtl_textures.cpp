@@ -1,8 +1,8 @@
 #include "files/mtl_textures.h"
 
-#include "files/channel_pack.h"
 #include "files/encoded_image.h"
 #include "files/height_map.h"
+#include "files/material_maps.h"
 #include "files/mtl_options.h"
 #include "files/read_file.h"
 #include "files/sibling_path.h"
@@ -170,11 +170,8 @@ private:
         const std::string both = "shares a texture with " + std::string(first);
         if (mtlTransform(a) != mtlTransform(b) || a.clamp != b.clamp)
             fail(second, both + ", which has other options", "give both the same -s, -o and -clamp");
-        const TextureImage &x = *image(first), &y = *image(second);
-        if (static_cast<long long>(x.width) * y.height != static_cast<long long>(y.width) * x.height)
-            fail(second,
-                 both + " of other proportions: " + std::to_string(y.width) + "x" + std::to_string(y.height) + " and " +
-                     std::to_string(x.width) + "x" + std::to_string(x.height),
+        if (differInProportions(*image(second), *image(first)))
+            fail(second, both + " of other proportions: " + sizesText(*image(second), *image(first)),
                  "give both the same size");
     }
 
@@ -188,14 +185,9 @@ private:
             return;
         }
         checkPair("map_Kd", "map_d");
-        const Channel channel =
-            mtlChannel(optionsOf("map_d"), hasAlpha(*opacity) ? Channel::alpha : Channel::luminance);
         const int packed = madeImage("color " + recipe("map_Kd") + recipe("map_d"), [&] {
-            PackedChannel red{color, Channel::red, 1.0, {}, true}, green = red, blue = red;
-            green.channel = Channel::green;
-            blue.channel = Channel::blue;
-            return packChannels((color == nullptr ? *opacity : *color).name, {red, green, blue, {opacity, channel}},
-                                wrapOf("map_d"));
+            const Channel channel = mtlChannel(optionsOf("map_d"), opacityChannel(*opacity));
+            return packColorOpacity(color, {opacity, channel}, wrapOf("map_d"));
         });
         to.baseColor = use(color == nullptr ? "map_d" : "map_Kd", packed);
         if (to.alphaMode == AlphaMode::opaque)
@@ -218,17 +210,13 @@ private:
             "rough " + recipe(roughnessKey) + recipe("map_Pm") + (fromShininess ? std::to_string(shininess) : "");
         to.metallicRoughness =
             use(key, madeImage(name, [&] {
-                    PackedChannel green{roughness, mtlChannel(optionsOf(roughnessKey), Channel::luminance)};
+                    MapChannel shine{roughness, mtlChannel(optionsOf(roughnessKey), Channel::luminance)};
                     if (fromShininess)
-                        green.change = [shininess](double value) {
+                        shine.change = [shininess](double value) {
                             return perceptualRoughnessOfShininess(shininess * value);
                         };
-                    return packChannels(image(key)->name,
-                                        {PackedChannel{},
-                                         green,
-                                         {metallic, mtlChannel(optionsOf("map_Pm"), Channel::luminance)},
-                                         PackedChannel{}},
-                                        wrapOf(key));
+                    return packMetallicRoughness(shine, {metallic, mtlChannel(optionsOf("map_Pm"), Channel::luminance)},
+                                                 wrapOf(key));
                 }));
     }
 
@@ -250,15 +238,6 @@ private:
                             return normalsOfHeights(*map, mtlChannel(asked, Channel::luminance), asked.bump_multiplier,
                                                     wrapOf(key));
                         }));
-    }
-
-    static bool isCutOut(const TextureImage& image)
-    {
-        for (int y = 0; y < image.height; ++y)
-            for (int x = 0; x < image.width; ++x)
-                if (const double alpha = texelValue(image, x, y, Channel::alpha); alpha > 0.0 && alpha < 1.0)
-                    return false;
-        return true;
     }
 
     const LoadOptions& options;

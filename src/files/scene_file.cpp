@@ -98,4 +98,16 @@ SceneFacts readFacts(const std::filesystem::path& path, const LoadOptions& optio
     return facts;
 }
 
+SceneFacts factsOfScene(const Scene& scene)
+{
+    SceneFacts facts;
+    facts.container = "primitive";
+    facts.scene = -1;
+    facts.primitives = scene.primitives.size();
+    for (const Primitive& primitive : scene.primitives)
+        facts.meshes.names.push_back(primitive.name);
+    addSceneFacts(facts, scene);
+    return facts;
+}
+
 } // namespace torrance

@@ -46,7 +46,7 @@ struct ExtensionFact
 /// What a file holds, for `inspect`.
 struct SceneFacts
 {
-    std::string container; // "GLB", "glTF" or "OBJ"
+    std::string container; // "GLB", "glTF", "OBJ" or "primitive"
     std::string version;   // empty where the format has none
     std::string generator;
     std::string copyright;
@@ -86,5 +86,8 @@ LoadedScene loadScene(const std::filesystem::path& path, const LoadOptions& opti
 /// What a file holds, without reading geometry or images: also of one that needs an extension that is not supported.
 /// The numbers of what is drawn stay zero.
 SceneFacts readFacts(const std::filesystem::path& path, const LoadOptions& options = {});
+
+/// What a scene that comes from no file holds: its name, its primitives, what is drawn.
+SceneFacts factsOfScene(const Scene& scene);
 
 } // namespace torrance
