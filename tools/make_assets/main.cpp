@@ -1,10 +1,11 @@
-// Makes what the project ships: the demo scene and three environments. The same program writes the same bytes each
-// time.
+// Makes what the project ships: the demo scene, three environments and a set of maps. The same program writes the same
+// bytes each time.
 #include "core/error.h"
 #include "core/log.h"
 #include "make_assets/demo.h"
 #include "make_assets/environments.h"
 #include "make_assets/studio.h"
+#include "make_assets/worn_copper.h"
 
 #include <exception>
 #include <filesystem>
@@ -20,6 +21,7 @@ int main(int argc, char** argv)
         torrance::assets::writeEnvironments(folder / "environments");
         // Shadows as soft as these need no finer light.
         torrance::assets::writeDemo(folder / "demo", torrance::assets::studioPanorama(128, 64));
+        torrance::assets::writeWornCopper(folder / "maps" / "worn_copper");
     } catch (const torrance::Error& error) {
         torrance::logError(error.what());
         return static_cast<int>(error.exitCode);
