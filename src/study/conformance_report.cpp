@@ -44,7 +44,7 @@ Image differenceMap(const Image& excess)
 
 constexpr int kColumns = 8;
 constexpr int kSheetWidth = 400; // about, in pixels: a sheet of small pictures is enlarged
-constexpr int kLargeZoom = 4;
+constexpr int kLargeWidth = 200; // likewise a single one
 
 std::vector<const ConformanceResult*> pictured(const ConformanceGroup& group)
 {
@@ -77,14 +77,15 @@ void addLarge(HtmlReport& report, const ConformanceResult& result)
 {
     report.parts.push_back(HtmlHeading{result.name, 3});
     report.parts.push_back(HtmlParagraph{result.worst});
-    report.parts.push_back(HtmlPictures{{{displayed(result.drawn), "Drawn", kLargeZoom},
-                                         {displayed(result.exact), "Exact", kLargeZoom},
-                                         {differenceMap(result.difference), "Difference", kLargeZoom}}});
+    const int zoom = std::max(1, kLargeWidth / result.drawn.width);
+    report.parts.push_back(HtmlPictures{{{displayed(result.drawn), "Drawn", zoom},
+                                         {displayed(result.exact), "Exact", zoom},
+                                         {differenceMap(result.difference), "Difference", zoom}}});
 }
 
 HtmlTable tableOf(const ConformanceGroup& group)
 {
-    HtmlTable table{{"case", "result", "share of what is allowed", "worst at"}, {}};
+    HtmlTable table{{"case", "result", "error / allowed", "worst at"}, {}};
     for (const ConformanceResult& result : group.results) {
         const HtmlCell verdict = result.passed() ? HtmlCell("pass", HtmlMark::good) : HtmlCell("FAIL", HtmlMark::bad);
         table.rows.push_back({result.name, verdict, fmt::format("{:.3g}", result.excess), placeOf(result)});
@@ -109,7 +110,7 @@ void addGroup(HtmlReport& report, const ConformanceGroup& group)
 
 HtmlTable summary(std::span<const ConformanceGroup> groups)
 {
-    HtmlTable table{{"group", "cases", "failed", "greatest share of what is allowed"}, {}};
+    HtmlTable table{{"group", "cases", "failed", "worst error / allowed"}, {}};
     for (const ConformanceGroup& group : groups) {
         const auto failed = std::ranges::count_if(group.results, [](const auto& r) { return !r.passed(); });
         const double worst = std::ranges::max(group.results, {}, &ConformanceResult::excess).excess;
@@ -144,10 +145,10 @@ std::vector<JunitSuite> conformanceSuites(std::span<const ConformanceGroup> grou
 HtmlReport conformanceReport(std::span<const ConformanceGroup> groups, const gpu::DeviceDescription& device)
 {
     HtmlReport report{"Conformance of " + device.name, {}};
-    report.parts.push_back(HtmlParagraph{
-        fmt::format("Driver {} {}, Vulkan {}. What the device drew is held against what the processor computed in "
-                    "double precision from the same inputs. A share of 1 is all that is allowed.",
-                    device.driver, device.driverVersion, device.apiVersion)});
+    report.parts.push_back(HtmlParagraph{fmt::format(
+        "Driver {} {}, Vulkan {}. What the device drew is held against what the processor computed in "
+        "double precision from the same inputs. Errors are given as shares of what is allowed: up to 1 passes.",
+        device.driver, device.driverVersion, device.apiVersion)});
     report.parts.push_back(summary(groups));
     for (const ConformanceGroup& group : groups)
         addGroup(report, group);

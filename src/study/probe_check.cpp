@@ -1,6 +1,7 @@
 #include "study/probe_check.h"
 
 #include "brdf/condition.h"
+#include "brdf/dfg.h"
 #include "brdf/lobe_albedo.h"
 #include "core/parallel.h"
 #include "study/probe_grid.h"
@@ -122,6 +123,23 @@ std::vector<ShadingPoint> rowsFor(const ProbeTerm& term)
 // so of E.
 constexpr double kTableInterpolation = 1e-4;
 
+// Scale, bias and weight of a fit are sums of terms of up to 8, each rounded a few times: what they cancel to has that
+// error, however small it is.
+constexpr double kFitRelative = 1e-4;
+constexpr double kFitAbsolute = 4e-6;
+
+/// View cosines and roughnesses from 0.05 to 1.
+std::vector<ShadingPoint> albedoRows()
+{
+    std::vector<ShadingPoint> rows;
+    constexpr int kSide = 20;
+    for (int i = 0; i < kSide * kSide; ++i) {
+        const double NoV = 0.05 + 0.95 * (i % kSide) / (kSide - 1.0), r = 0.05 + 0.95 * (i / kSide) / (kSide - 1.0);
+        rows.push_back(makeShadingPoint(dvec3(0, 0, 1), directionAt(NoV, 0), directionAt(0.5, 1), r));
+    }
+    return rows;
+}
+
 // 0 * Inf at NoH -> 0, 0/0 where both cosines vanish, the square root of what should be 0, powers that
 // underflow.
 std::string faultOf(const Method& method, const ShadingPoint& point, const vec3& value)
@@ -169,15 +187,29 @@ ProbeCheck brdfCheck(const Preset& preset)
 
 ProbeCheck albedoCheck()
 {
-    ProbeCheck check{makeAlbedoTerm(), {}, [](const ShadingPoint&) { return kTableInterpolation; }};
-    constexpr int kSide = 20;
-    for (int i = 0; i < kSide * kSide; ++i) {
-        const double NoV = 0.05 + 0.95 * (i % kSide) / (kSide - 1.0), r = 0.05 + 0.95 * (i / kSide) / (kSide - 1.0);
-        check.rows.push_back(makeShadingPoint(dvec3(0, 0, 1), directionAt(NoV, 0), directionAt(0.5, 1), r));
-    }
-    return check;
+    return {makeAlbedoTerm(), albedoRows(), [](const ShadingPoint&) { return kTableInterpolation; }};
 }
 
+std::vector<const Method*> dfgFits()
+{
+    std::vector<const Method*> fits;
+    for (const Method& method : allMethods())
+        if (method.slot == Slot::dfg && !findDfgTable(method.id))
+            fits.push_back(&method);
+    return fits;
+}
+
+ProbeCheck dfgFitCheck(const Method& fit)
+{
+    ProbeCheck check{makeProbeTerm(fit), albedoRows(), {}};
+    for (ShadingPoint& row : check.rows)
+        row = scalarsRounded(row);
+    check.allowed = [formula = check.term.formula](const ShadingPoint& p) {
+        const dvec3 exact = glm::abs(formula(p));
+        return kFitRelative + kFitAbsolute / std::max(std::min({exact.x, exact.y, exact.z}), kFitAbsolute);
+    };
+    return check;
+}
 ProbeWorst worstOf(const gpu::Device& device, gpu::ShaderLibrary& shaders, const ProbeCheck& check)
 {
     const std::vector<vec3> drawn = probe(device, shaders, check.term, check.rows);

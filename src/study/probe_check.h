@@ -31,6 +31,10 @@ ProbeCheck brdfCheck(const brdf::Preset& preset);
 /// The table of directional albedos against the integral.
 ProbeCheck albedoCheck();
 
+/// The rows of slot dfg that are formulas and not tables; and one of them, over view cosines and roughnesses.
+std::vector<const brdf::Method*> dfgFits();
+ProbeCheck dfgFitCheck(const brdf::Method& fit);
+
 struct ProbeWorst
 {
     double ratio = -1; // error over what is allowed: at most 1 passes

@@ -4,6 +4,7 @@
 #include "core/data_folder.h"
 #include "passes/probe_pass.h"
 #include "prepare/dfg_storage.h"
+#include "study/probe_check.h"
 #include "test_device.h"
 
 #include <gtest/gtest.h>
@@ -31,6 +32,15 @@ std::vector<ShadingPoint> grid()
 std::vector<vec3> drawn(std::string_view id, const std::vector<ShadingPoint>& rows)
 {
     return probe(test::device(), test::shaders(), makeProbeTerm(*findMethod(Slot::dfg, id)), rows);
+}
+
+TEST(DfgRows, FitsPassTheChecksOfConformance)
+{
+    ASSERT_GE(dfgFits().size(), 3u);
+    for (const Method* fit : dfgFits()) {
+        const ProbeWorst worst = worstOf(test::device(), test::shaders(), dfgFitCheck(*fit));
+        EXPECT_LE(worst.ratio, 1.0) << fit->id << ": error " << worst.error << " at row " << worst.row;
+    }
 }
 
 TEST(DfgRows, FitsAreTheirDoubleFormulas)
