@@ -20,6 +20,7 @@
 #include "reference/reference_picture.h"
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <chrono>
 #include <cmath>
 #include <filesystem>
@@ -34,6 +35,7 @@ struct Options
     std::optional<int> maxDirections;
     int pixelSamples = 1;
     std::string choice = "combined";
+    std::string yardstick = "model";
     bool resume = false;
     double checkpointSeconds = 30.0;
     SceneOptions scene;
@@ -89,6 +91,9 @@ void declare(CLI::App& app, Options& o)
     declareSceneOptions(app, o.scene);
     declareOutputOptions(app, o.output);
     declarePictureOptions(app, o.picture);
+    addChoice(app, "--yardstick", o.yardstick, {"model", "physics"},
+              "model (default): the methods asked for, integrated exactly; physics: full Fresnel, random walks between "
+              "facets, an energy-preserving body");
     declareSampling(app, o);
     declareCheckpoints(app, o);
     declareCameraOptions(app, o.camera);
@@ -120,13 +125,26 @@ void checkTarget(const Options& o)
         throw usageError("--max-samples is below --samples", "--samples is what every pixel gets at least");
 }
 
+// Methods that would be ignored are an error: whoever names them expects something of them.
+void checkYardstick(const Options& o)
+{
+    const MethodOptions& m = o.methods;
+    const bool named = m.preset != MethodOptions().preset || !m.model.quirks.empty() || !m.model.parameters.empty() ||
+                       std::ranges::any_of(m.overrides, [](const auto& slot) { return !slot.second.empty(); });
+    if (o.yardstick == "physics" && named)
+        throw usageError("--yardstick physics has its own methods, and takes no preset and no other ones",
+                         "leave them out, or use --yardstick model");
+}
+
 ReferenceSettings settingsOf(const Options& o)
 {
     checkTarget(o);
+    checkYardstick(o);
     const ivec2 size = chosenSize(o.picture);
     checkMemory(o.picture, 2 * 8 * sizeof(float)); // colour, variance, directions; once more for writing
     ReferenceSettings settings;
     settings.methods = chooseMethods(o.methods);
+    settings.physics = o.yardstick == "physics";
     brdf::requireWholeBrdf(settings.methods);
     settings.width = size.x;
     settings.height = size.y;

@@ -47,16 +47,27 @@ std::size_t payloadSize(const ReferencePicture& picture)
 ContentHash hashOfInputs(const Scene& scene, const Camera& camera, const ReferenceSettings& settings,
                          std::string_view program)
 {
-    const auto& [methods, width, height, pixelSamples, directions, targetError, maxDirections, background, choice] =
-        settings;
+    const auto& [methods, physics, width, height, pixelSamples, directions, targetError, maxDirections, background,
+                 choice] = settings;
     ContentHasher hasher;
-    hasher.add(program).add(width).add(height).add(pixelSamples).add(directions).add(maxDirections).add(choice);
+    hasher.add(program)
+        .add(physics)
+        .add(width)
+        .add(height)
+        .add(pixelSamples)
+        .add(directions)
+        .add(maxDirections)
+        .add(choice);
     hasher.add(targetError.value_or(0.0));
     hasher.add(background.has_value());
     const dvec4 color = background.value_or(dvec4(0.0));
     hasher.add(std::as_bytes(std::span(&color, 1)));
     for (const brdf::Slot slot : brdf::allSlots())
         hasher.add(methods[slot] ? methods[slot]->id : std::string_view());
+    const auto& [doubleFresnel, noCosine, piDenominator, energySketch, ambient, specularFactor, reflectivity] =
+        methods.options;
+    hasher.add(doubleFresnel).add(noCosine).add(piDenominator).add(energySketch);
+    hasher.add(ambient).add(specularFactor).add(reflectivity);
     addToHash(hasher, camera);
     addToHash(hasher, scene);
     return hasher.finish();

@@ -1,6 +1,5 @@
 #include "reference/light_integral.h"
 
-#include "brdf/brdf.h"
 #include "math/frame.h"
 #include "math/sampling.h"
 
@@ -19,32 +18,40 @@ const SphereLight& sampler(const SphereLight& sphere)
     return sphere;
 }
 
-/// Occlusion stands for what hides the environment (glTF 2.0, 3.9.3: indirect light).
-double openness(const LightIntegral::Source& source, const MaterialPoint& material)
+/// One direction: its radiance over its density is the irradiance of a surface that faces the light.
+struct Beam
 {
-    return std::holds_alternative<SphereLight>(source) ? 1.0 : material.occlusion;
+    const LightSample& light;
+
+    dvec3 draw(const dvec2&) const { return light.direction; }
+    DirectedLight at(const dvec3&) const { return {light.irradiance, 1.0}; }
+};
+
+Beam sampler(const LightSample& light)
+{
+    return {light};
 }
 
 } // namespace
 
-LightIntegral::LightIntegral(const brdf::Preset& p, Source s, const MaterialPoint& m, const dvec3& v,
+LightIntegral::LightIntegral(const Yardstick& yardstick, Source s, const MaterialPoint& material, const dvec3& v,
                              DirectionChoice choice)
-    : preset(p), source(std::move(s)), shares(sharesOf(choice)), material(m), worldFromLocal(frameAround(m.normal)),
-      view(v * worldFromLocal), alpha(std::max(m.perceptualRoughness * m.perceptualRoughness, brdf::kMinAlpha))
+    : source(std::move(s)), shares(sharesOf(choice)),
+      // Occlusion stands for what hides indirect light (glTF 2.0, 3.9.3).
+      openness(std::holds_alternative<const EnvironmentSampler*>(source) ? material.occlusion : 1.0),
+      worldFromLocal(frameAround(material.normal)), view(v * worldFromLocal),
+      alpha(std::max(material.perceptualRoughness * material.perceptualRoughness, brdf::kMinAlpha)),
+      reflectance(yardstick, material, view)
 {
 }
 
-std::vector<LightIntegral::Share> LightIntegral::sharesOf(DirectionChoice choice)
+std::vector<LightIntegral::Share> LightIntegral::sharesOf(DirectionChoice choice) const
 {
     using enum Density;
-    switch (choice) {
-    case DirectionChoice::light:
+    if (choice == DirectionChoice::light || std::holds_alternative<LightSample>(source))
         return {{light, 4}};
-    case DirectionChoice::brdf:
+    if (choice == DirectionChoice::brdf)
         return {{lobe, 2}, {cosine, 2}};
-    case DirectionChoice::combined:
-        break;
-    }
     return {{light, 2}, {lobe, 1}, {cosine, 1}};
 }
 
@@ -74,7 +81,7 @@ double LightIntegral::density(Density of, const dvec3& l, const DirectedLight& l
     return cosineDensity(l);
 }
 
-dvec3 LightIntegral::contribution(const dvec3& l) const
+dvec3 LightIntegral::contribution(const dvec3& l, std::uint64_t key) const
 {
     if (!(l.z > 0.0))
         return dvec3(0.0);
@@ -86,19 +93,17 @@ dvec3 LightIntegral::contribution(const dvec3& l) const
         mean += share.perTurn * density(share.density, l, light) / kDirectionsPerTurn;
     if (!(mean > 0.0)) // a drawn direction has a density; on the edge of its support rounding may say otherwise
         return dvec3(0.0);
-    brdf::ShadingPoint point = brdf::makeShadingPoint(dvec3(0, 0, 1), view, l, material.perceptualRoughness);
-    point.baseColor = material.baseColor;
-    point.metallic = material.metallic;
-    return brdf::evaluateTerms(preset, point).response() * light.radiance * (openness(source, material) / mean);
+    return reflectance(l, key) * light.radiance * (openness / mean);
 }
 
 dvec3 LightIntegral::sumOfTurns(std::uint64_t key, std::uint32_t first, std::uint32_t turns) const
 {
     dvec3 sum(0.0);
     for (const Share& share : shares) {
-        const ScrambledSequence points(hashNumbers({key, static_cast<std::uint64_t>(share.density)}));
+        const std::uint64_t sequence = hashNumbers({key, static_cast<std::uint64_t>(share.density)});
+        const ScrambledSequence points(sequence);
         for (std::uint32_t i = first * share.perTurn; i < (first + turns) * share.perTurn; ++i)
-            sum += contribution(draw(share.density, points[i]));
+            sum += contribution(draw(share.density, points[i]), hashNumbers({sequence, i}));
     }
     return sum;
 }

@@ -1,10 +1,10 @@
-// The light of the environment, or of one sphere, that one surface point reflects, as a mean over drawn directions.
+// The light of one source that one surface point reflects, as a mean over drawn directions.
 #pragma once
 
-#include "brdf/method.h"
 #include "math/scrambled_sequence.h"
 #include "reference/environment_sampler.h"
-#include "reference/material_point.h"
+#include "reference/punctual_light.h"
+#include "reference/reflectance.h"
 #include "reference/sphere_light.h"
 
 #include <variant>
@@ -31,10 +31,11 @@ inline constexpr std::uint32_t kDirectionsPerTurn = 4;
 class LightIntegral
 {
 public:
-    using Source = std::variant<const EnvironmentSampler*, SphereLight>;
+    /// A punctual light has one direction, which every draw takes; the mean is over what the surface does with it.
+    using Source = std::variant<const EnvironmentSampler*, SphereLight, LightSample>;
 
     /// Keeps references. An environment is not dark; `view` is unit, in the world.
-    LightIntegral(const brdf::Preset& preset, Source source, const MaterialPoint& material, const dvec3& view,
+    LightIntegral(const Yardstick& yardstick, Source source, const MaterialPoint& material, const dvec3& view,
                   DirectionChoice choice);
 
     /// The sum of what the directions of turns [first, first + turns) of the sequences of `key` contribute. The
@@ -53,18 +54,18 @@ private:
         Density density;
         std::uint32_t perTurn;
     };
-    static std::vector<Share> sharesOf(DirectionChoice choice);
+    std::vector<Share> sharesOf(DirectionChoice choice) const;
     dvec3 draw(Density from, const dvec2& u) const;
     double density(Density of, const dvec3& l, const DirectedLight& light) const;
-    dvec3 contribution(const dvec3& l) const;
+    dvec3 contribution(const dvec3& l, std::uint64_t key) const;
 
-    const brdf::Preset& preset;
     Source source;
     std::vector<Share> shares;
-    MaterialPoint material;
+    double openness;      // share of the light that occlusion leaves
     dmat3 worldFromLocal; // local: the normal is +Z
     dvec3 view;           // local
     dvec2 alpha;
+    Reflectance reflectance;
 };
 
 } // namespace torrance

@@ -1,5 +1,6 @@
 #include "reference/pixel_estimate.h"
 
+#include "brdf/brdf.h"
 #include "reference/shade.h"
 #include "scene/camera_view.h"
 
@@ -28,10 +29,13 @@ struct PixelEstimator::Point
 };
 
 PixelEstimator::PixelEstimator(const Scene& scene, const Camera& c, const ReferenceSettings& s)
-    : settings(s), camera(c), caster(scene, cameraPosition(c)), offsets(sampleOffsets(s.pixelSamples))
+    : settings(s), yardstick(&s.methods), camera(c), caster(scene, cameraPosition(c)),
+      offsets(sampleOffsets(s.pixelSamples))
 {
+    if (settings.physics)
+        yardstick = &interfaceAlbedo.emplace(brdf::kDielectricIor);
     for (const Light& light : scene.lights)
-        (isSphere(light) ? sphereLights : pointLights).push_back(light);
+        (settings.physics || isSphere(light) ? estimatedLights : exactLights).push_back(light);
     if (!scene.environment)
         return;
     environment.emplace(*scene.environment);
@@ -52,17 +56,22 @@ void PixelEstimator::addSurface(const VisibleSurface& seen, double share, std::u
     const auto& [surface, material, alpha] = seen;
     exact.color +=
         share *
-        dvec4(shade(settings.methods, {pointLights}, material, caster.origin(), surface.position, surface.view), 1.0);
+        dvec4(shade(settings.methods, {exactLights}, material, caster.origin(), surface.position, surface.view), 1.0);
     if (material.unlit)
         return;
     const auto add = [&](LightIntegral::Source source, std::uint64_t light) {
-        points.push_back({LightIntegral(settings.methods, std::move(source), material, surface.view, settings.choice),
-                          share, hashNumbers({key, light})});
+        points.push_back({LightIntegral(yardstick, std::move(source), material, surface.view, settings.choice), share,
+                          hashNumbers({key, light})});
     };
     if (environment && material.occlusion != 0.0)
         add(&*environment, 0);
-    for (std::size_t i = 0; i < sphereLights.size(); ++i)
-        add(SphereLight(sphereLights[i], caster.origin(), surface.position), i + 1);
+    for (std::size_t i = 0; i < estimatedLights.size(); ++i) {
+        const Light& light = estimatedLights[i];
+        if (isSphere(light))
+            add(SphereLight(light, caster.origin(), surface.position), i + 1);
+        else
+            add(sampleLight(light, caster.origin(), surface.position), i + 1);
+    }
 }
 
 void PixelEstimator::gather(int x, int y, std::vector<Point>& points, PixelEstimate& exact) const

@@ -22,6 +22,8 @@ class PixelEstimator
 public:
     /// Keeps references to scene and settings.
     PixelEstimator(const Scene& scene, const Camera& camera, const ReferenceSettings& settings);
+    PixelEstimator(const PixelEstimator&) = delete; // it refers to itself
+    PixelEstimator& operator=(const PixelEstimator&) = delete;
 
     /// `meanNorm` is the mean |c|_1 of the covered pixels, one hundredth of which the target error adds to a pixel's
     /// own; read where there is a target.
@@ -39,10 +41,13 @@ private:
     dvec4 backgroundOf(const Ray& ray) const;
 
     const ReferenceSettings& settings;
+    std::optional<InterfaceAlbedo> interfaceAlbedo; // of the yardstick physics
+    Yardstick yardstick;
     Camera camera;
     RayCaster caster;
     std::vector<dvec2> offsets;
-    std::vector<Light> pointLights, sphereLights;
+    std::vector<Light> exactLights;                // whose light on a point is one evaluation
+    std::vector<Light> estimatedLights;            // the others
     std::optional<EnvironmentSampler> environment; // where it is not dark
 };
 

@@ -2,8 +2,8 @@
 #pragma once
 
 #include "brdf/method.h"
+#include "math/replicates.h"
 #include "reference/light_integral.h"
-#include "reference/replicates.h"
 
 #include <optional>
 
@@ -15,6 +15,7 @@ inline constexpr int kDirectionsPerRound = kReplicates * static_cast<int>(kDirec
 struct ReferenceSettings
 {
     brdf::Preset methods;
+    bool physics = false; // the yardstick: physics instead of the methods
     int width = 1024;
     int height = 1024;
     int pixelSamples = 1;                           // places in the pixel, by the reconstruction filter

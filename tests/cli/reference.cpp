@@ -134,6 +134,8 @@ TEST_F(Reference, RefusesOptionsThatContradictEachOther)
                                                   {"--max-samples", "128"},
                                                   {"--target-error", "0.1", "--samples", "512", "--max-samples", "256"},
                                                   {"--directions", "lights"},
+                                                  {"--yardstick", "physics", "--preset", "gltf"},
+                                                  {"--yardstick", "physics", "--diffuse", "burley"},
                                                   {"--fresnel", "exact_conductor"}})
     {
         std::vector<std::string> arguments = {"reference", "demo", "-o", out};

@@ -1,7 +1,7 @@
 #include "reference/light_integral.h"
 
+#include "../math/confidence.h"
 #include "brdf/albedo.h"
-#include "confidence.h"
 #include "math/latlong.h"
 #include "reference/shade.h"
 
@@ -61,7 +61,7 @@ std::vector<Case> allCases()
 Replicates integrate(const brdf::Preset& preset, const LightIntegral::Source& source, const Case& c,
                      DirectionChoice choice, std::uint32_t turns)
 {
-    const LightIntegral integral(preset, source, c.material, c.view, choice);
+    const LightIntegral integral(&preset, source, c.material, c.view, choice);
     Replicates replicates;
     for (std::size_t r = 0; r < kReplicates; ++r) {
         const std::uint64_t key = hashNumbers({static_cast<std::uint64_t>(choice), r}); // independent of other choices

@@ -1,6 +1,6 @@
 #include "reference/sphere_light.h"
 
-#include "confidence.h"
+#include "../math/confidence.h"
 #include "math/scrambled_sequence.h"
 #include "reference/light_integral.h"
 #include "reference/shade.h"
@@ -70,7 +70,7 @@ MaterialPoint surfaceOf(double roughness, double metallic)
 Replicates reflected(const Light& light, const MaterialPoint& material, const dvec3& view, DirectionChoice choice,
                      std::uint32_t turns)
 {
-    const LightIntegral integral(*brdf::findPreset("gltf"), SphereLight(light, dvec3(0.0), dvec3(0.0)), material, view,
+    const LightIntegral integral(brdf::findPreset("gltf"), SphereLight(light, dvec3(0.0), dvec3(0.0)), material, view,
                                  choice);
     Replicates replicates;
     for (std::size_t r = 0; r < kReplicates; ++r)

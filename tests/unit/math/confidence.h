@@ -2,7 +2,7 @@
 // in 1 / kFamilyLevel.
 #pragma once
 
-#include "reference/replicates.h"
+#include "math/replicates.h"
 
 #include <cmath>
 #include <gtest/gtest.h>
