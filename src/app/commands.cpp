@@ -8,13 +8,14 @@
 #include "app/command_probe.h"
 #include "app/command_reference.h"
 #include "app/command_render.h"
+#include "app/command_stability.h"
 
 namespace torrance {
 
 std::vector<Command> allCommands()
 {
-    return {renderCommand(),  referenceCommand(), inspectCommand(), compareCommand(),
-            methodsCommand(), probeCommand(),     conformCommand(), devicesCommand()};
+    return {renderCommand(), referenceCommand(), inspectCommand(),   compareCommand(), methodsCommand(),
+            probeCommand(),  conformCommand(),   stabilityCommand(), devicesCommand()};
 }
 
 } // namespace torrance

@@ -47,7 +47,7 @@ std::string_view classOf(HtmlMark mark)
 std::string partText(const HtmlHeading& heading)
 {
     assert(heading.level >= 2 && heading.level <= 4);
-    return fmt::format("<h{0}>{1}</h{0}>\n", heading.level, markupEscaped(heading.text));
+    return fmt::format("<h{0} id=\"{1}\">{1}</h{0}>\n", heading.level, markupEscaped(heading.text));
 }
 
 std::string partText(const HtmlParagraph& paragraph)
@@ -81,6 +81,15 @@ std::string partText(const HtmlPictures& pictures)
                             markupEscaped(picture.caption), base64(encodePng(picture.image, 8)),
                             markupEscaped(picture.caption));
     return text + "</div>\n";
+}
+
+std::string partText(const HtmlLinks& links)
+{
+    std::string text;
+    for (const HtmlLink& link : links.links)
+        text += fmt::format("{}<a href=\"{}\">{}</a>", text.empty() ? "<p>" : " · ", markupEscaped(link.target),
+                            markupEscaped(link.text));
+    return text + "</p>\n";
 }
 
 } // namespace

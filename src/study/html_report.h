@@ -56,7 +56,19 @@ struct HtmlPictures
     std::vector<HtmlPicture> pictures;
 };
 
-using HtmlPart = std::variant<HtmlHeading, HtmlParagraph, HtmlTable, HtmlPictures>;
+struct HtmlLink
+{
+    std::string text;
+    std::string target; // a file beside the report, or "#" and the text of a heading
+};
+
+/// In one line.
+struct HtmlLinks
+{
+    std::vector<HtmlLink> links;
+};
+
+using HtmlPart = std::variant<HtmlHeading, HtmlParagraph, HtmlTable, HtmlPictures, HtmlLinks>;
 
 struct HtmlReport
 {

@@ -23,7 +23,8 @@ class Reader(html.parser.HTMLParser):
             print('img', attributes['width'], attributes['height'], size, list(data[1:4]), attributes['alt'])
         elif tag != 'meta':
             self.open.append(tag)
-        assert 'href' not in attributes and not attributes.get('src', 'data:').startswith('http'), attributes
+        assert 'href' not in attributes or tag == 'a' and ':' not in attributes['href'], attributes
+        assert not attributes.get('src', 'data:').startswith('http'), attributes
     def handle_endtag(self, tag):
         assert self.open.pop() == tag, tag
     def handle_data(self, data):
@@ -45,11 +46,14 @@ TEST(HtmlReport, IsReadBackByAParser)
     report.title = "A & B";
     report.parts = {HtmlHeading{"Spheres", 2}, HtmlParagraph{"r < 0.1 \"so\" <script>"},
                     HtmlTable{{"case", "worst"}, {{"ball", {"3 > 1", HtmlMark::bad}}}},
-                    HtmlPictures{{{red, "drawn <1>", 4}}}};
+                    HtmlPictures{{{red, "drawn <1>", 4}}}, HtmlLinks{{{"a table", "a&b.csv"}, {"below", "#Spheres"}}}};
     EXPECT_EQ(test::python(kRead, htmlText(report)), "title 'A & B'\nh1 'A & B'\nh2 'Spheres'\n"
                                                      "p 'r < 0.1 \"so\" <script>'\n"
                                                      "th 'case'\nth 'worst'\ntd 'ball'\ntd '3 > 1'\n"
-                                                     "img 8 4 (2, 1) [255, 0, 0] drawn <1>\nfigcaption 'drawn <1>'\n");
+                                                     "img 8 4 (2, 1) [255, 0, 0] drawn <1>\nfigcaption 'drawn <1>'\n"
+                                                     "a 'a table'\np ' · '\na 'below'\n");
+    EXPECT_NE(htmlText(report).find("<a href=\"a&amp;b.csv\">"), std::string::npos);
+    EXPECT_NE(htmlText(report).find("<h2 id=\"Spheres\">"), std::string::npos);
 }
 
 // RFC 4648, section 10.
