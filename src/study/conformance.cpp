@@ -130,6 +130,12 @@ Results drawPresets(const Bench& bench)
     Results results;
     for (const Preset& preset : brdf::allPresets())
         draw(bench, results, presetSpheres(preset));
+    std::vector<PictureCase> sourceC = presetSpheres(*brdf::findPreset("schlick-beckmann")); // shades from a G-buffer
+    for (PictureCase& c : sourceC) {
+        c.name += ", deferred";
+        c.settings.path = RenderPath::deferred;
+    }
+    draw(bench, results, sourceC);
     return results;
 }
 
@@ -160,7 +166,9 @@ constexpr GroupRow kGroups[] = {
      "Every pixel of a sphere and of a plane under each kind of light is within 1e-4 of the double formulas, a "
      "millionth of the brightest pixel, and twice what rounding the pixel's inputs to float can change.",
      drawShapes},
-    {"presets", "Every pixel of spheres in each preset under a point light, as near as in the group shapes.",
+    {"presets",
+     "Every pixel of spheres in each preset under a point light, as near as in the group shapes; schlick-beckmann on "
+     "the deferred path as well.",
      drawPresets},
 };
 

@@ -45,22 +45,34 @@ void expectSameOnBothPaths(
 }
 
 // A shape's view direction is the pixel's ray on the forward path and comes from the stored position on the other.
+void expectShapeSameOnBothPaths(const PictureCase& c)
+{
+    const auto allowance = [&](int x, int y) {
+        const PixelInputs inputs = pixelInputs(c.scene, 0, c.camera, c.settings.width, c.settings.height, x, y);
+        return coverageIsDecided(inputs) ? kConditionFactor * pixelCondition(c.settings.methods, inputs)
+                                         : dvec3(0.0); // both paths round alike: they agree on what is covered
+    };
+    expectSameOnBothPaths(c.scene, c.camera, c.settings, c.name, allowance);
+}
+
 TEST(Deferred, AnalyticShapesAreTheForwardPicture)
 {
     for (const auto shape : {AnalyticShape::Kind::sphere, AnalyticShape::Kind::plane})
         for (const auto light : {Light::Kind::directional, Light::Kind::point, Light::Kind::spot})
-            for (const PictureCase& c : shapeCases(shape, light)) {
-                if (c.settings.methods.id != "gltf")
-                    continue; // what compensation adds is drawn below, and its kappa costs more than all the rest
-                const auto allowance = [&](int x, int y) {
-                    const PixelInputs inputs =
-                        pixelInputs(c.scene, 0, c.camera, c.settings.width, c.settings.height, x, y);
-                    return coverageIsDecided(inputs)
-                               ? kConditionFactor * pixelCondition(c.settings.methods, inputs)
-                               : dvec3(0.0); // both paths round alike: they agree on what is covered
-                };
-                expectSameOnBothPaths(c.scene, c.camera, c.settings, c.name, allowance);
-            }
+            for (const PictureCase& c : shapeCases(shape, light))
+                if (c.settings.methods.id == "gltf") // what compensation adds is drawn below, for its kappa is costly
+                    expectShapeSameOnBothPaths(c);
+}
+
+// Source C, whose path this is.
+TEST(Deferred, SourceCIsItsForwardPicture)
+{
+    for (const PictureCase& c : presetSpheres(*brdf::findPreset("schlick-beckmann")))
+        expectShapeSameOnBothPaths(c);
+    Scene scene = texturedTorus();
+    scene.lights = {testLight(Light::Kind::directional), testLight(Light::Kind::point), testLight(Light::Kind::spot)};
+    expectSameOnBothPaths(scene, fitCamera(scene, {0.4, 1.0}, 1.0, 0.7, 0.05), settingsOf("schlick-beckmann", 96),
+                          "schlick-beckmann torus");
 }
 
 TEST(Deferred, TexturedMeshIsTheForwardPicture)
