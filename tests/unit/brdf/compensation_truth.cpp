@@ -78,7 +78,7 @@ TEST(CompensationTruth, MethodsAreWithinTheirFiguresOfTheWalk)
             const dvec3 added = addedBy(method, truth.NoV, truth.r, f0);
             for (int c = 0; c < 3; ++c) {
                 const double missed = std::abs(added[c] - truth.mean[c]) - kErrors * truth.error[c];
-EXPECT_LE(missed, figure->farthest) << method.id << ' ' << truth.r << ' ' << truth.NoV << ' ' << c;
+                EXPECT_LE(missed, figure->farthest) << method.id << ' ' << truth.r << ' ' << truth.NoV << ' ' << c;
                 if (method.readsAlbedo) {
                     EXPECT_LT(missed, 0.5 * truth.mean[c]) << method.id << ' ' << truth.r << ' ' << truth.NoV;
                 }
