@@ -151,7 +151,9 @@ constexpr int kSize = 48, kCostlySize = 16;
 
 int sizeFor(const brdf::Preset& preset)
 {
-    return brdf::isComposed(preset) && preset.multipleScattering->id != "none" ? kCostlySize : kSize;
+    return brdf::isComposed(preset) && (preset.multipleScattering->readsAlbedo || preset.diffuseWeight->readsAlbedo)
+               ? kCostlySize
+               : kSize;
 }
 
 } // namespace
