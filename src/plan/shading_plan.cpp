@@ -243,12 +243,15 @@ void checkLobe(const ShadingPlan& plan)
     if (plan.environmentLight && !methods.environmentSpecular)
         throw usageError("the preset " + std::string(methods.id) + " defines no light from an environment",
                          "leave it out: --environment none");
-    if (!plan.dfgTable || !brdf::isComposed(methods) ||
-        (methods.distribution->id == "ggx" && methods.visibility->id == "smith_corr"))
+    if (!plan.dfgTable || !brdf::isComposed(methods))
         return;
-    throw usageError("light from the environment and multiple scattering are made for ggx with smith_corr, not for " +
-                         std::string(methods.distribution->id) + " with " + std::string(methods.visibility->id),
-                     "leave them out: --environment none --multiple-scattering none");
+    const std::string_view D = methods.distribution->id;
+    if ((D == "ggx" || D == "ggx_aniso") && methods.visibility->id == "smith_corr") // glTF's anisotropy is 0: the same
+        return;
+    throw usageError("light from the environment, multiple scattering and weights by albedo are made for ggx with "
+                     "smith_corr, not for " +
+                         std::string(D) + " with " + std::string(methods.visibility->id),
+                     "leave them out: --environment none --multiple-scattering none --diffuse-weight fresnel_voh");
 }
 
 void Planner::planLighting()

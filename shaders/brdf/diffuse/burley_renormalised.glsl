@@ -1,4 +1,4 @@
-// Lagarde & de Rousiers 2014, listing 4: F_D90 = r (1/2 + 2 VoH^2), the whole scaled from 1 at r = 0 to 1/1.51 at r = 1.
+// Lagarde & de Rousiers 2014, section 3.1.3: F_D90 = r (1/2 + 2 VoH^2), the whole scaled from 1 at r = 0 to 1/1.51 at r = 1.
 #include "shared/constants.h"
 
 vec3 Fd_burley_renormalised(float NoV, float NoL, float VoL, float NoH, float VoH, float alpha, float perceptualRoughness, vec3 baseColor)

@@ -50,5 +50,37 @@ TEST(Compensation, ThePlanLeavesItOutWhereItIsNotWorthIt)
     EXPECT_FALSE(makePlan(scene, test::settings("standard")).batches[0].key.compensates);
 }
 
+Settings withMethods(std::string_view weight, std::string_view compensation)
+{
+    Settings settings = test::settings("gltf");
+    settings.methods.diffuseWeight = brdf::findMethod(brdf::Slot::diffuseWeight, weight);
+    settings.methods.multipleScattering = brdf::findMethod(brdf::Slot::multipleScattering, compensation);
+    return settings;
+}
+
+// What a punctual light's part reads of the table: nothing, the albedo at NoV, or that at NoL as well.
+TEST(Compensation, TheTableIsReadWhereAMethodAsksForIt)
+{
+    Scene scene = test::sceneWith({.metallicFactor = 1.0, .roughnessFactor = 0.8});
+    scene.lights.push_back({.kind = Light::Kind::directional});
+    const auto text = [&](std::string_view weight, std::string_view compensation) {
+        const ShadingPlan plan = makePlan(scene, withMethods(weight, compensation));
+        const std::string selected = selectedText(plan, plan.batches[0].key);
+        EXPECT_EQ(plan.dfgTable, selected.find("#define DFG_TABLE\n") != std::string::npos);
+        return selected;
+    };
+    const auto has = [](const std::string& selected, const char* name) {
+        return selected.find(std::string("#define ") + name + "\n") != std::string::npos;
+    };
+    EXPECT_FALSE(has(text("fresnel_voh", "none"), "DFG_TABLE"));
+    EXPECT_TRUE(has(text("albedo_scaling", "none"), "DFG_TABLE"));
+    EXPECT_TRUE(has(text("fresnel_nol_nov", "scale"), "DFG_TABLE"));
+    EXPECT_FALSE(has(text("fresnel_voh", "fdez_aguera"), "READS_LIGHT_ALBEDO"));
+    EXPECT_TRUE(has(text("fresnel_voh", "kulla_conty"), "READS_LIGHT_ALBEDO"));
+    scene.materials[0].roughnessFactor = 0.05; // not worth compensating
+    EXPECT_FALSE(has(text("fresnel_voh", "kulla_conty"), "DFG_TABLE"));
+    EXPECT_FALSE(has(text("albedo_scaling", "kulla_conty"), "READS_LIGHT_ALBEDO"));
+}
+
 } // namespace
 } // namespace torrance

@@ -96,8 +96,26 @@ TEST(SurfacePlan, ALobeWithoutATableIsRefusedWhereItNeedsOne)
     beckmann.methods.distribution = brdf::findMethod(brdf::Slot::distribution, "beckmann");
     scene.lights = {light(Light::Kind::directional, 1.0)};
     EXPECT_NO_THROW(makePlan(scene, beckmann)) << "a punctual light evaluates the lobe itself";
+    Settings scaled = beckmann;
+    scaled.methods.diffuseWeight = brdf::findMethod(brdf::Slot::diffuseWeight, "albedo_scaling");
+    EXPECT_THROW(makePlan(scene, scaled), Error) << "its weight is the albedo of another lobe";
     scene.environment = Environment{.radiance = Image(2, 1, 3, 1.0f)};
     EXPECT_THROW(makePlan(scene, beckmann), Error);
+    beckmann.methods.distribution = brdf::findMethod(brdf::Slot::distribution, "ggx_aniso");
+    EXPECT_NO_THROW(makePlan(scene, beckmann)) << "without anisotropy it is ggx";
+}
+
+TEST(SurfacePlan, SaysWhichTermsOfTheEnvironmentAreNotTheChosenOnes)
+{
+    Scene scene = sceneWith({});
+    scene.environment = Environment{.radiance = Image(2, 1, 3, 1.0f)};
+    Settings chosen = settings();
+    EXPECT_EQ(explain(makePlan(scene, chosen)).find("Schlick"), std::string::npos);
+    chosen.methods.fresnel = brdf::findMethod(brdf::Slot::fresnel, "sg");
+    chosen.methods.diffuse = brdf::findMethod(brdf::Slot::diffuse, "chan");
+    const std::string text = explain(makePlan(scene, chosen));
+    EXPECT_NE(text.find("its Fresnel term is Schlick's (sg has no table)"), std::string::npos) << text;
+    EXPECT_NE(text.find("its diffuse light is Lambert's (chan has no table)"), std::string::npos) << text;
 }
 
 TEST(SurfacePlan, DifferentKeysHaveDifferentTexts)
