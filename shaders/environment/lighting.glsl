@@ -1,4 +1,4 @@
-// Light from an environment: split sum (Karis 2013) for the lobe, irradiance for the body, both dimmed by occlusion.
+// Light from an environment: on the lobe and on the body, both dimmed by occlusion.
 #ifdef DFG_TABLE
 #include "environment/average_albedo.glsl"
 #ifdef DFG_FIT
@@ -23,44 +23,30 @@ vec4 directionalAlbedo(float NoV, float perceptualRoughness)
 #endif
 
 #ifdef ENVIRONMENT_LIGHT
-#include "environment/prefiltered.glsl"
-layout(set = 0, binding = kBindEnvironmentSpecular) uniform samplerCube environmentSpecular;
-#ifdef IRRADIANCE_SH9
-#include "environment/irradiance_sh9.glsl"
-#else
-layout(set = 0, binding = kBindEnvironmentDiffuse) uniform samplerCube environmentDiffuse;
+#ifdef READS_RADIANCE
+layout(set = 0, binding = kBindEnvironmentRadiance) uniform samplerCube environmentRadiance; // not prefiltered, with mips
 #endif
-
-// Irradiance / pi of a surface with unit normal n, in the environment's axes.
-vec3 irradianceOverPi(vec3 n)
-{
-#ifdef IRRADIANCE_SH9
-    return irradianceSh9(frame.irradianceHarmonics, n);
-#else
-    return textureLod(environmentDiffuse, n, 0.0).rgb;
-#endif
-}
+#include "environment/diffuse.glsl"
+#include "environment/specular.glsl"
 
 vec3 environmentLight(Surface s, float alpha, vec4 albedo)
 {
     vec3 n = frame.environmentFromWorld * s.normal;
-    vec3 r = frame.environmentFromWorld * reflect(-s.view, s.normal);
-    vec3 radiance = prefilteredRadiance(environmentSpecular, r, alpha, frame.environmentLastLevel);
+    SpecularSums sums = specularSums(n, frame.environmentFromWorld * s.view, alpha, s.perceptualRoughness, albedo);
     vec3 irradiance = irradianceOverPi(n);
-    // The lobes of glTF's dielectric and metal (shaders/brdf/model/gltf.glsl), each under an environment of radiance 1. Their light of many
-    // reflections comes from everywhere: it is the irradiance's.
+    // What the lobes of glTF's dielectric and metal (shaders/brdf/model/gltf.glsl) reflect once. Their light of many reflections comes from
+    // everywhere: it is the irradiance's. The bias of a fit may be negative; a table's is not.
     const vec3 f0 = vec3(kDielectricF0);
-    // The bias of a fit may be negative; a table's is not.
-    vec3 once = max(f0 * albedo.x + albedo.y, 0.0);
-    vec3 metalOnce = max(s.baseColor * albedo.x + albedo.y, 0.0);
+    vec3 once = max(f0 * sums.scale + sums.bias, 0.0);
+    vec3 metalOnce = max(s.baseColor * sums.scale + sums.bias, 0.0);
     float mean = averageAlbedo(s.perceptualRoughness);
-    vec3 dielectric = SELECTED_multiple_scattering(once * radiance, irradiance, f0, albedo.y, albedo.w, mean, mean);
-    vec3 metal = SELECTED_multiple_scattering(metalOnce * radiance, irradiance, s.baseColor, albedo.y, albedo.w, mean, mean);
+    vec3 dielectric = SELECTED_multiple_scattering(once, irradiance, f0, albedo.y, albedo.w, mean, mean);
+    vec3 metal = SELECTED_multiple_scattering(metalOnce, irradiance, s.baseColor, albedo.y, albedo.w, mean, mean);
     vec3 specular = dielectric * (1.0 - s.metallic) + metal * s.metallic;
 
     // What the interface lets through: its weight is linear in what depends on the light, so the means over uniform light give the mean
     // weight. That of Schlick's term at VoH is the table's w, at NoL it is 1/21.
-    vec3 returned = SELECTED_multiple_scattering(once, vec3(1.0), f0, albedo.y, albedo.w, mean, mean);
+    vec3 returned = SELECTED_multiple_scattering(max(f0 * albedo.x + albedo.y, 0.0), vec3(1.0), f0, albedo.y, albedo.w, mean, mean);
     float x = 1.0 - clamp(dot(s.normal, s.view), 0.0, 1.0);
     vec3 weight = SELECTED_diffuse_weight(f0 + (1.0 - f0) * albedo.z, f0 + (1.0 - f0) * (x * x * x * x * x), f0 + (1.0 - f0) / 21.0, returned);
     vec3 diffuse = irradiance * s.baseColor * ((1.0 - s.metallic) * weight);

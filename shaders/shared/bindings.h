@@ -22,6 +22,7 @@ SHARED_UINT(kBindPanorama, 12);
 SHARED_UINT(kBindSource, 13); // the picture that an image pass reads
 SHARED_UINT(kBindProbeRows, 14);
 SHARED_UINT(kBindGBuffer, 15); // the first of the four pictures of shaders/passes/gbuffer.frag
+SHARED_UINT(kBindEnvironmentRadiance, 19); // with mips, for methods that draw samples
 
 SHARED_END
 

@@ -29,6 +29,7 @@ struct Frame
     vec4 backgroundColor;       // premultiplied
     vec3 irradianceHarmonics[9]; // irradiance / pi in shBasis's order, for environment_diffuse sh9
     float panoramaLevel;        // mip of the panorama that has about one texel a pixel
+    uint picture;               // number of this picture among those whose mean is the result
 };
 
 SHARED_END

@@ -11,6 +11,7 @@
 #include "app/picture_options.h"
 #include "app/progress_line.h"
 #include "app/scene_input.h"
+#include "brdf/environment.h"
 #include "core/data_folder.h"
 #include "core/log.h"
 #include "core/standard_output.h"
@@ -26,6 +27,7 @@ struct Options
 {
     int samples = 1;
     std::string path = "forward";
+    std::optional<int> environmentSamples;
     std::string layers;
     bool explain = false;
     std::string device;
@@ -38,6 +40,7 @@ struct Options
 };
 
 constexpr int kMaxSamples = 4096;
+constexpr int kMaxEnvironmentSamples = 65536; // seconds per picture of a thumbnail
 
 void declare(CLI::App& app, Options& o)
 {
@@ -59,6 +62,11 @@ void declare(CLI::App& app, Options& o)
     declareCameraOptions(app, o.camera);
     declareEnvironmentOptions(app, o.environment);
     declareMethodOptions(app, o.methods);
+    app.add_option(
+           "--environment-samples", o.environmentSamples,
+           "Directions per pixel and picture of the environment_specular methods that draw samples (default 64)")
+        ->group("Methods")
+        ->check(CLI::Range(1, kMaxEnvironmentSamples));
     declareDeviceOption(app, o.device);
 }
 
@@ -76,10 +84,16 @@ Settings settingsOf(const Options& o)
     const ivec2 size = chosenSize(o.picture);
     checkMemory(o.picture, bytesPerPixel(o));
     const Background background = chosenBackground(o.picture);
-    return {.methods = chooseMethods(o.methods),
+    const brdf::Preset methods = chooseMethods(o.methods);
+    if (o.environmentSamples && !(methods.environmentSpecular && brdf::drawsSamples(*methods.environmentSpecular)))
+        throw usageError("--environment-samples is for methods that draw samples, and the environment's is " +
+                             std::string(methods.environmentSpecular ? methods.environmentSpecular->id : "none"),
+                         "choose one with --environment-specular, such as vndf_bounded");
+    return {.methods = methods,
             .width = size.x,
             .height = size.y,
             .samples = o.samples,
+            .environmentSamples = o.environmentSamples.value_or(Settings().environmentSamples),
             .background = background.kind,
             .backgroundColor = background.color,
             .path = o.path == "deferred" ? RenderPath::deferred : RenderPath::forward,

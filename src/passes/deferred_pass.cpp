@@ -15,7 +15,7 @@ std::vector<gpu::DeviceImage> makeGBuffer(const gpu::Device& device, int width, 
 
 LightingForm lightingForm(const ShadingPlan& plan, std::size_t lightingClass)
 {
-    std::vector<std::uint32_t> constants = lightCountConstants(plan);
+    std::vector<std::uint32_t> constants = shadingConstants(plan);
     constants.push_back(static_cast<std::uint32_t>(lightingClass));
     return {.selected = selectedText(plan, plan.lightingClasses[lightingClass]),
             .description = {.name = "lighting",

@@ -1,11 +1,16 @@
 #include "passes/environment_upload.h"
 
+#include "brdf/environment.h"
+#include "brdf/irradiance_window.h"
 #include "gpu/buffer.h"
 #include "gpu/commands.h"
 #include "passes/dfg_upload.h"
 #include "passes/light_cubes.h"
 #include "prepare/irradiance.h"
 #include "prepare/panorama.h"
+#include "prepare/radiance_pyramid.h"
+
+#include <algorithm>
 
 namespace torrance {
 namespace {
@@ -39,6 +44,16 @@ gpu::DeviceImage uploadCube(const gpu::Device& device, const CubeLevels& cube, c
         std::as_bytes(std::span(texels)), name);
 }
 
+std::array<vec3, 9> windowed(const std::array<vec3, 9>& harmonics)
+{
+    std::array<dvec3, 9> exact;
+    std::ranges::copy(harmonics, exact.begin());
+    exact = brdf::windowedHarmonics(exact);
+    std::array<vec3, 9> result;
+    std::ranges::copy(exact, result.begin());
+    return result;
+}
+
 constexpr std::uintmax_t kMaxCacheBytes = 512u << 20; // some dozen environments
 
 ContentHash contentOf(const Image& radiance)
@@ -67,6 +82,16 @@ const EnvironmentStore::LightCubes& EnvironmentStore::lightCubes(const Image& ra
         .emplace(key, LightCubes{uploadCube(device, maps.specular, "prefiltered environment"),
                                  uploadCube(device, maps.irradiance, "irradiance")})
         .first->second;
+}
+
+const gpu::DeviceImage& EnvironmentStore::radianceCube(const Image& radiance, const ContentHash& content)
+{
+    const std::string key = content.hex();
+    if (const auto found = radianceCubes.find(key); found != radianceCubes.end())
+        return found->second;
+    const EnvironmentMaps maps = cachedEnvironmentMaps(radiance, content, cache);
+    const CubeLevels pyramid = radiancePyramid(maps.specular.data.front(), maps.specular.size);
+    return radianceCubes.emplace(key, uploadCube(device, pyramid, "radiance")).first->second;
 }
 
 const gpu::DeviceImage& EnvironmentStore::panorama(const Image& radiance, const ContentHash& content)
@@ -99,11 +124,18 @@ EnvironmentImages EnvironmentStore::get(const Scene& scene, const ShadingPlan& p
         const ContentHash content = contentOf(radiance);
         if (plan.environmentLight) {
             const LightCubes& light = lightCubes(radiance, content);
-            images.specular = &light.specular;
-            if (plan.settings.methods.environmentDiffuse->id == "sh9")
-                images.harmonics = irradianceHarmonics(radiance);
-            else
+            const brdf::Preset& methods = plan.settings.methods;
+            const std::string_view diffuse = methods.environmentDiffuse->id;
+            const bool samples = brdf::drawsSamples(*methods.environmentSpecular);
+            if (diffuse == "irradiance_cube")
                 images.diffuse = &light.diffuse;
+            else if (diffuse != "sampled")
+                images.harmonics =
+                    diffuse == "sh9_windowed" ? windowed(irradianceHarmonics(radiance)) : irradianceHarmonics(radiance);
+            if (!samples)
+                images.specular = &light.specular;
+            if (samples || diffuse == "sampled")
+                images.radiance = &radianceCube(radiance, content);
         }
         if (plan.panorama)
             images.panorama = &panorama(radiance, content);

@@ -20,8 +20,9 @@ namespace torrance {
 struct EnvironmentImages
 {
     const gpu::DeviceImage* specular = nullptr; // cube, prefiltered chain
-    const gpu::DeviceImage* diffuse = nullptr;  // cube, irradiance / pi; or, for the method sh9,
+    const gpu::DeviceImage* diffuse = nullptr;  // cube, irradiance / pi; or, for the methods sh4, sh9, sh9_windowed,
     std::array<vec3, 9> harmonics = {};         // the same as nine harmonics
+    const gpu::DeviceImage* radiance = nullptr; // cube with plain mips, for methods that draw samples
     const gpu::DeviceImage* panorama = nullptr; // lat-long, with mips
     const gpu::DeviceImage* dfg = nullptr;      // directional albedos
 };
@@ -41,12 +42,14 @@ private:
         gpu::DeviceImage diffuse;
     };
     const LightCubes& lightCubes(const Image& radiance, const ContentHash& content);
+    const gpu::DeviceImage& radianceCube(const Image& radiance, const ContentHash& content);
     const gpu::DeviceImage& panorama(const Image& radiance, const ContentHash& content);
     const gpu::DeviceImage& dfgTable(const brdf::DfgStorage& storage);
 
     const gpu::Device& device;
     DiskCache cache;
     std::map<std::string, LightCubes> cubes;                // by the panorama's content
+    std::map<std::string, gpu::DeviceImage> radianceCubes;  // likewise
     std::map<std::string, gpu::DeviceImage> panoramas;      // likewise
     std::map<std::string_view, gpu::DeviceImage> dfgTables; // by the row
 };

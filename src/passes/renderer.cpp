@@ -32,7 +32,7 @@ struct ViewBuffers
 };
 
 ViewBuffers makeViewBuffers(const gpu::Device& device, const DeviceScene& scene, const Camera& camera,
-                            const dvec2& offset)
+                            const dvec2& offset, int picture)
 {
     constexpr auto kUsage = vk::BufferUsageFlagBits::eStorageBuffer;
     const auto& environment = scene.environment;
@@ -40,6 +40,7 @@ ViewBuffers makeViewBuffers(const gpu::Device& device, const DeviceScene& scene,
     const int panoramaWidth = environment.panorama ? static_cast<int>(environment.panorama->shape.width) : 0;
     shared::Frame frame = makeFrame(scene.scene, scene.plan, camera, offset, levels, panoramaWidth);
     std::ranges::copy(environment.harmonics, frame.irradianceHarmonics);
+    frame.picture = static_cast<std::uint32_t>(picture);
     const std::vector frames = {frame};
     const dvec3 eye = cameraPosition(camera);
     return {.frame = gpu::makeBuffer(device, bytesOf(frames), kUsage, "frame"),
@@ -67,6 +68,8 @@ gpu::Bindings sceneBindings(const DeviceScene& scene, const ViewBuffers& view, c
         bindings.set(shared::kBindEnvironmentSpecular, *environment.specular, table);
     if (environment.diffuse)
         bindings.set(shared::kBindEnvironmentDiffuse, *environment.diffuse, table);
+    if (environment.radiance)
+        bindings.set(shared::kBindEnvironmentRadiance, *environment.radiance, table);
     if (environment.dfg)
         bindings.set(shared::kBindDfg, *environment.dfg, table);
     if (environment.panorama)
@@ -79,7 +82,7 @@ void useScene(gpu::Commands& commands, const DeviceScene& scene, const ViewBuffe
 {
     std::vector<gpu::ImageUse> images = scene.textures.uses();
     const EnvironmentImages& e = scene.environment;
-    for (const gpu::DeviceImage* image : {e.specular, e.diffuse, e.dfg, e.panorama})
+    for (const gpu::DeviceImage* image : {e.specular, e.diffuse, e.radiance, e.dfg, e.panorama})
         if (image)
             images.push_back(gpu::use(*image, gpu::Access::sampled));
     const std::array buffers = {gpu::use(view.frame, gpu::Access::shaderRead),
@@ -185,9 +188,10 @@ void Renderer::drawLighting(gpu::Commands& commands, const DeviceScene& scene, g
     }
 }
 
-void Renderer::drawColor(const DeviceScene& scene, const Camera& camera, const dvec2& offset, const Targets& targets)
+void Renderer::drawColor(const DeviceScene& scene, const Camera& camera, const dvec2& offset, int picture,
+                         const Targets& targets)
 {
-    const ViewBuffers view = makeViewBuffers(device, scene, camera, offset);
+    const ViewBuffers view = makeViewBuffers(device, scene, camera, offset, picture);
     const gpu::Bindings bindings = sceneBindings(scene, view, tableSampler, panoramaSampler);
     const bool deferred = scene.plan.settings.path == RenderPath::deferred;
     gpu::Commands commands(device);
@@ -232,7 +236,7 @@ void Renderer::accumulate(const gpu::DeviceImage& source, const gpu::DeviceImage
 
 std::vector<Layer> Renderer::drawLayers(const DeviceScene& scene, const Camera& camera, const gpu::DeviceImage& depth)
 {
-    const ViewBuffers view = makeViewBuffers(device, scene, camera, dvec2(0.0));
+    const ViewBuffers view = makeViewBuffers(device, scene, camera, dvec2(0.0), 0);
     const gpu::Bindings bindings = sceneBindings(scene, view, tableSampler, panoramaSampler);
     std::vector<gpu::DeviceImage> targets;
     std::vector<const gpu::DeviceImage*> targetPointers;
@@ -269,7 +273,7 @@ Picture Renderer::render(const DeviceScene& scene, const Camera& camera, const s
         if (count > 1)
             sum = makeColorTarget(device, settings.width, settings.height, "sum of samples");
         for (int i = 0; i < count; ++i) {
-            drawColor(scene, camera, offsets[static_cast<std::size_t>(i)], targets);
+            drawColor(scene, camera, offsets[static_cast<std::size_t>(i)], i, targets);
             if (sum)
                 accumulate(targets.color, *sum, i, count);
             if (progress)

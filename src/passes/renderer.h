@@ -68,7 +68,8 @@ private:
         std::vector<gpu::DeviceImage> gbuffer; // of the deferred path
     };
     Targets makeTargets(const Settings& settings);
-    void drawColor(const DeviceScene& scene, const Camera& camera, const dvec2& offset, const Targets& targets);
+    void drawColor(const DeviceScene& scene, const Camera& camera, const dvec2& offset, int picture,
+                   const Targets& targets);
     void drawBatches(gpu::Commands& commands, const DeviceScene& scene, const gpu::Bindings& bindings,
                      SurfaceOutput output);
     void drawGBuffer(gpu::Commands& commands, const DeviceScene& scene, const gpu::Bindings& bindings,

@@ -81,7 +81,7 @@ OutputForm formOf(const ShadingPlan& plan, const ShaderKey& key, SurfaceOutput o
     case SurfaceOutput::color:
         break;
     }
-    return {"passes/surface.frag", 1, lightCountConstants(plan)};
+    return {"passes/surface.frag", 1, shadingConstants(plan)};
 }
 
 gpu::PipelineDescription describePipeline(const ShaderKey& key, SurfaceOutput output, const OutputForm& form)
@@ -131,11 +131,12 @@ void drawOnce(gpu::Commands& commands, const Batch& batch, const Draw& draw, con
 
 } // namespace
 
-std::vector<std::uint32_t> lightCountConstants(const ShadingPlan& plan)
+std::vector<std::uint32_t> shadingConstants(const ShadingPlan& plan)
 {
     std::vector<std::uint32_t> constants;
     for (const int count : plan.lightCounts)
         constants.push_back(static_cast<std::uint32_t>(count));
+    constants.push_back(static_cast<std::uint32_t>(plan.settings.environmentSamples));
     return constants;
 }
 

@@ -22,8 +22,9 @@ enum class SurfaceOutput
 inline constexpr std::size_t kLayerTargets = 6;
 inline constexpr std::size_t kGBufferTargets = 4;
 
-/// Specialization constants 0 to 2 of every shader that includes material/shade.glsl.
-std::vector<std::uint32_t> lightCountConstants(const ShadingPlan& plan);
+/// Specialization constants, from 0 on, of every shader that includes material/shade.glsl: the numbers of lights, of
+/// samples.
+std::vector<std::uint32_t> shadingConstants(const ShadingPlan& plan);
 
 /// The pipelines of a plan's keys, made on first use.
 class SurfacePipelines

@@ -1,6 +1,7 @@
 #include "plan/shading_plan.h"
 
 #include "brdf/dfg.h"
+#include "brdf/environment.h"
 #include "brdf/selection.h"
 
 namespace torrance {
@@ -22,6 +23,21 @@ void defineUv(std::string& text, const TextureKey& key, const std::string& macro
     text += "#define " + macro + " " + (key.transformed ? transformed : uv) + "\n";
     if (key.transformed)
         text += "#define " + macro + "_SOURCE " + uv + "\n";
+}
+
+// Which functions of shaders/environment are called.
+void defineEnvironment(std::string& text, const brdf::Preset& methods)
+{
+    const std::string_view diffuse = methods.environmentDiffuse->id;
+    const brdf::Method& specular = *methods.environmentSpecular;
+    define(text, "IRRADIANCE_SH9", diffuse == "sh9" || diffuse == "sh9_windowed");
+    define(text, "IRRADIANCE_SH4", diffuse == "sh4");
+    define(text, "IRRADIANCE_SAMPLED", diffuse == "sampled");
+    define(text, "SPECULAR_DOMINANT", specular.id == "split_sum_dominant");
+    define(text, "READS_RADIANCE", diffuse == "sampled" || brdf::drawsSamples(specular));
+    if (brdf::drawsSamples(specular))
+        text += "#include \"" + brdf::glslPath(specular) + "\"\n#define SPECULAR_SAMPLER " +
+                brdf::functionName(specular) + "\n";
 }
 
 const char* surfaceMacro(SurfaceKind kind)
@@ -65,8 +81,8 @@ std::string selectedText(const ShadingPlan& plan, const ShaderKey& key)
     define(text, "LIT", lit);
     define(text, "PUNCTUAL_LIGHTS", lit && !plan.lights.empty());
     define(text, "ENVIRONMENT_LIGHT", lit && plan.environmentLight);
-    define(text, "IRRADIANCE_SH9",
-           lit && plan.environmentLight && plan.settings.methods.environmentDiffuse->id == "sh9");
+    if (lit && plan.environmentLight)
+        defineEnvironment(text, plan.settings.methods);
     const bool lightsReadAlbedo = lit && readsAlbedo(plan.settings.methods, key.compensates) && !plan.lights.empty();
     const bool table = lit && (plan.environmentLight || lightsReadAlbedo);
     define(text, "DFG_TABLE", table);

@@ -25,7 +25,8 @@ struct Settings
     brdf::Preset methods;
     int width = 1024;
     int height = 1024;
-    int samples = 1; // per pixel
+    int samples = 1;             // per pixel
+    int environmentSamples = 64; // per pixel and picture, of methods of environmentSpecular that draw samples
     BackgroundKind background = BackgroundKind::environment;
     dvec3 backgroundColor = dvec3(0.0); // scene-linear
     RenderPath path = RenderPath::forward;

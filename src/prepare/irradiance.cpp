@@ -28,6 +28,26 @@ PointList pointsOf(const CubeTree& tree, int greatestSize, bool skipDark)
     return points;
 }
 
+/// Columns, at least, at which the harmonics are taken, so that those of an even environment vanish to 1e-5 in however
+/// few texels it is given.
+constexpr int kLeastColumns = 1024;
+
+Sh9 integralOverTexel(int x, int y, int width, int height)
+{
+    const int parts = (kLeastColumns + width - 1) / width;
+    Sh9 integral{};
+    for (int v = y * parts; v < (y + 1) * parts; ++v) {
+        const double omega = latLongTexelSolidAngle(v, width * parts, height * parts);
+        for (int u = x * parts; u < (x + 1) * parts; ++u) {
+            const Sh9 basis =
+                shBasis(directionFromLatLong({(u + 0.5) / (width * parts), (v + 0.5) / (height * parts)}));
+            for (std::size_t i = 0; i < 9; ++i)
+                integral[i] += omega * basis[i];
+        }
+    }
+    return integral;
+}
+
 } // namespace
 
 std::vector<float> irradianceFaces(const CubeTree& base, const CubeTree& excess, int size)
@@ -57,14 +77,11 @@ std::array<vec3, 9> irradianceHarmonics(const Image& panorama)
         const int y = static_cast<int>(row);
         Coefficients sum{};
         for (int x = 0; x < panorama.width; ++x) {
-            const Sh9 basis = shBasis(directionFromLatLong({(x + 0.5) / panorama.width, (y + 0.5) / panorama.height}));
+            const Sh9 basis = integralOverTexel(x, y, panorama.width, panorama.height);
             const float* rgb = panorama.at(x, y);
             for (std::size_t i = 0; i < 9; ++i)
                 sum[i] += basis[i] * dvec3(rgb[0], rgb[1], rgb[2]);
         }
-        const double omega = latLongTexelSolidAngle(y, panorama.width, panorama.height);
-        for (dvec3& coefficient : sum)
-            coefficient *= omega;
         rows[row] = sum;
     });
     constexpr std::array<int, 9> kBand = {0, 1, 1, 1, 2, 2, 2, 2, 2};

@@ -1,0 +1,51 @@
+// The specular lobe's integral over an environment by samples of it, each looked up in the mip level whose texels are as large as
+// the directions that it stands for (Colbert & Krivanek 2007, GPU-Based Importance Sampling).
+#include "environment/lobe_sample.glsl"
+#include "environment/sample_points.glsl"
+
+layout(constant_id = 3) const uint kEnvironmentSamples = 1;
+
+// The level of a cube of `size` texels a side on which a texel towards unit l fills the solid angle 1 / (count density): a
+// texel of level 0 fills 4 m^3 / size^2, m the largest component of l.
+float radianceLevel(vec3 l, float count, float density, float size)
+{
+    float m = max(max(abs(l.x), abs(l.y)), abs(l.z));
+    return max(0.5 * log2(size * size / (4.0 * m * m * m * count * density)), 0.0);
+}
+
+// Axes about unit n: Duff et al. 2017, listing 3; the same as frameAround of src/math/frame.h.
+mat3 axesAround(vec3 n)
+{
+    float side = n.z < 0.0 ? -1.0 : 1.0;
+    float a = -1.0 / (side + n.z);
+    float b = n.x * n.y * a;
+    return mat3(1.0 + side * n.x * n.x * a, side * b, -side * n.x, b, side + n.y * n.y * a, -n.y, n);
+}
+
+// The light of Schlick's lobe of reflectance F0 is F0 scale + bias. n and v unit, in the environment's axes.
+SpecularSums sampledSums(samplerCube radiance, vec3 n, vec3 v, float alpha, float perceptualRoughness, vec2 rotation)
+{
+    mat3 axes = axesAround(n);
+    vec3 view = v * axes;
+    float size = float(textureSize(radiance, 0).x);
+    SpecularSums sums = SpecularSums(vec3(0.0), vec3(0.0));
+    for (uint i = 0u; i < kEnvironmentSamples; ++i)
+    {
+        LobeSample s = SPECULAR_SAMPLER(view, alpha, samplePoint(i, kEnvironmentSamples, rotation));
+        if (!(s.l.z > 0.0 && s.weight > 0.0))
+            continue;
+        float VoH = dot(view, s.h);
+        float V = SELECTED_visibility(view.z, s.l.z, s.h.z, VoH, alpha, perceptualRoughness);
+        vec3 l = axes * s.l;
+        float level = radianceLevel(l, float(kEnvironmentSamples), s.density, size);
+        vec3 light = textureLod(radiance, l, level).rgb * (s.weight * V);
+        float x = max(1.0 - VoH, 0.0);
+        float x2 = x * x;
+        float schlick = x2 * x2 * x;
+        sums.scale += light * (1.0 - schlick);
+        sums.bias += light * schlick;
+    }
+    sums.scale /= float(kEnvironmentSamples);
+    sums.bias /= float(kEnvironmentSamples);
+    return sums;
+}

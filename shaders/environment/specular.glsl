@@ -1,0 +1,34 @@
+// What the specular lobe reflects of an environment, by the method that selected.glsl chose.
+
+// A lobe of reflectance F0 (Schlick's, of F90 = 1) reflects F0 scale + bias.
+struct SpecularSums
+{
+    vec3 scale;
+    vec3 bias;
+};
+
+#ifdef SPECULAR_SAMPLER
+#include "environment/sampled_specular.glsl"
+#else
+#include "environment/prefiltered.glsl"
+#ifdef SPECULAR_DOMINANT
+#include "environment/dominant_direction.glsl"
+#endif
+layout(set = 0, binding = kBindEnvironmentSpecular) uniform samplerCube environmentSpecular;
+#endif
+
+// n and v unit, in the environment's axes; albedo is the lobe's (scale, bias, w, E) under light of radiance 1.
+SpecularSums specularSums(vec3 n, vec3 v, float alpha, float perceptualRoughness, vec4 albedo)
+{
+#ifdef SPECULAR_SAMPLER
+    vec2 rotation = pixelRotation(uvec2(gl_FragCoord.xy), frame.picture);
+    return sampledSums(environmentRadiance, n, v, alpha, perceptualRoughness, rotation);
+#else
+    vec3 direction = reflect(-v, n);
+#ifdef SPECULAR_DOMINANT
+    direction = dominantDirection(n, direction, alpha);
+#endif
+    vec3 light = prefilteredRadiance(environmentSpecular, direction, alpha, frame.environmentLastLevel);
+    return SpecularSums(light * albedo.x, light * albedo.y);
+#endif
+}

@@ -1,0 +1,30 @@
+// Light of environments: the rows of slots environmentDiffuse and environmentSpecular, in double.
+#pragma once
+
+#include "brdf/light_query.h"
+#include "brdf/method.h"
+
+namespace torrance::brdf {
+
+/// Irradiance / pi at n: Lambert's integral by quadrature, which the irradiance cube holds and the method `sampled`
+/// sums.
+dvec3 Ed_irradiance_cube(const EnvironmentQuery& query);
+dvec3 Ed_sampled(const EnvironmentQuery& query);
+/// The same from harmonics of the radiance, which never give less than 0.
+dvec3 Ed_sh4(const EnvironmentQuery& query);
+dvec3 Ed_sh9(const EnvironmentQuery& query);
+dvec3 Ed_sh9_windowed(const EnvironmentQuery& query);
+
+/// What GGX with smith_corr and Schlick's term reflects, light that met one microfacet. NoV > 0.
+dvec3 Es_split_sum(const EnvironmentQuery& query);
+dvec3 Es_split_sum_dominant(const EnvironmentQuery& query);
+/// Sums over query.samples directions; radiance is taken in the directions themselves, where the device filters it.
+dvec3 Es_filtered_importance(const EnvironmentQuery& query);
+dvec3 Es_vndf(const EnvironmentQuery& query);
+dvec3 Es_vndf_caps(const EnvironmentQuery& query);
+dvec3 Es_vndf_bounded(const EnvironmentQuery& query);
+
+/// A method of the slot environmentSpecular that draws samples per pixel.
+bool drawsSamples(const Method& environmentSpecular);
+
+} // namespace torrance::brdf
