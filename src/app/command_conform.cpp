@@ -79,8 +79,8 @@ Json summaryOf(const std::vector<ConformanceGroup>& groups, const gpu::DeviceDes
 
 ExitCode run(const Options& options, const GlobalOptions& global)
 {
-    makeFolder(options.folder);
     const gpu::Device device = openDevice(options.device, global, options.validation);
+    makeFolder(options.folder);
     gpu::ShaderLibrary shaders(dataFolder() / "shaders", cacheFolder(global));
     Renderer renderer(device, shaders, cacheFolder(global));
     const std::vector<std::string> names = options.only.empty() ? conformanceGroupNames() : std::vector{options.only};

@@ -66,6 +66,15 @@ TEST(Conform, GivesTheSameBytesWhateverTheThreads)
         EXPECT_EQ(contentOf(folder.file("1/") + name), contentOf(folder.file("3/") + name)) << name;
 }
 
+TEST(Conform, LeavesNothingBehindWithoutADevice)
+{
+    const TestFolder folder;
+    const Outcome outcome = runTorrance({"conform", "--device", "no such device", "-o", folder.file("out")});
+    EXPECT_EQ(outcome.exitCode, 4);
+    EXPECT_TRUE(isOneLine(outcome.errors)) << outcome.errors;
+    EXPECT_TRUE(folder.names().empty());
+}
+
 TEST(Conform, SaysAtOnceThatItsFolderCannotBeMade)
 {
     const TestFolder folder;
