@@ -73,8 +73,8 @@ dvec3 Fd_burley(const ShadingPoint& point)
     return point.baseColor * (lightGain * viewGain / kPi);
 }
 
-// Lagarde & de Rousiers 2014, section 3.1.3: Burley's with another reflectance at grazing, scaled so that it gains nothing
-// at a normal view.
+// Lagarde & de Rousiers 2014, section 3.1.3: Burley's with another reflectance at grazing, scaled so that it gains
+// nothing at a normal view.
 dvec3 Fd_burley_renormalised(const ShadingPoint& point)
 {
     if (belowHorizon(point))
