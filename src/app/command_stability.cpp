@@ -3,6 +3,7 @@
 #include "app/device_option.h"
 #include "app/option_value.h"
 #include "app/progress_line.h"
+#include "app/stability_scene.h"
 #include "core/atomic_write.h"
 #include "core/data_folder.h"
 #include "core/log.h"
@@ -31,6 +32,7 @@ struct Options
     std::vector<std::string> precisions = {"fp16", "fp32", "fp64"};
     int size = AtlasSize().map;
     std::string device;
+    SceneTrialOptions scene;
 };
 
 constexpr int kLeastSize = 8; // the axis of indices has a third of them below 1
@@ -38,8 +40,11 @@ constexpr int kMostSize = 256;
 
 void declare(CLI::App& app, Options& o)
 {
+    declareSceneTrialOptions(app, o.scene);
     app.add_option("--method", o.methods, "Methods to look at, as ID or SLOT/ID (default: all)")->type_name("ID...");
-    app.add_option("-o,--output", o.output, "Folder for the maps, the tables and index.html")->type_name("DIR");
+    app.add_option("-o,--output", o.output,
+                   "Folder for the reports: index.html of methods with maps and tables, scene.html of a scene")
+        ->type_name("DIR");
     app.add_option("--precision", o.precisions, "fp16, fp32 and fp64 unless given")
         ->type_name("NAME...")
         ->check(CLI::IsMember({"fp16", "fp32", "fp64"}));
@@ -157,7 +162,7 @@ std::string plainText(const AtlasEntry& entry)
     return text;
 }
 
-ExitCode run(const Options& options, const GlobalOptions& global)
+ExitCode runMethods(const Options& options, const GlobalOptions& global)
 {
     const std::vector<const Method*> methods = chosenMethods(options);
     const std::vector<Precision> precisions = chosenPrecisions(options);
@@ -186,11 +191,23 @@ ExitCode run(const Options& options, const GlobalOptions& global)
     return ExitCode::success;
 }
 
+ExitCode run(const Options& options, const GlobalOptions& global)
+{
+    if (options.scene.input.empty())
+        return runMethods(options, global);
+    if (!options.methods.empty())
+        throw usageError("--method and a scene exclude each other", "leave one of them out");
+    if (!options.output.empty())
+        madeFolder(options.output);
+    return runSceneTrialsOf(options.scene, options.device, options.output, global);
+}
+
 } // namespace
 
 Command stabilityCommand()
 {
-    return makeCommand<Options>("stability", "Find where shading methods break, in 16, 32 and 64 bits", declare, run);
+    return makeCommand<Options>(
+        "stability", "Find where shading methods break, in 16, 32 and 64 bits, or a scene's picture", declare, run);
 }
 
 } // namespace torrance

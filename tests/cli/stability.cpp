@@ -34,6 +34,20 @@ TEST(Stability, WritesMapsTableAndReportTheSameWhateverTheThreads)
     EXPECT_EQ(reports.front(), reports.back());
 }
 
+// The lantern's holes and the leaves are finer than the pixels of so small a picture: they sparkle. All else holds.
+TEST(Stability, FailsForAPictureThatDoesNotResolveItsScene)
+{
+    const TestFolder folder;
+    const Outcome outcome = runTorrance({"stability", "demo", "-r", "64x64", "-o", folder.file("report")});
+    EXPECT_EQ(outcome.exitCode, 1) << outcome.errors;
+    const std::size_t failure = outcome.output.find("FAIL  ");
+    EXPECT_EQ(outcome.output.find("FAIL  camera moved by parts of a pixel"), failure) << outcome.output;
+    EXPECT_EQ(outcome.output.find("FAIL  ", failure + 1), std::string::npos) << outcome.output;
+    const std::string report = contentOf(folder.file("report") + "/scene.html");
+    EXPECT_NE(report.find("everything moved by 1e6 m"), std::string::npos);
+    EXPECT_NE(report.find(">FAIL<"), std::string::npos);
+}
+
 TEST(Stability, RefusesWhatItCannotSweep)
 {
     const Outcome unknown = runTorrance({"stability", "--method", "gxx"});
@@ -42,6 +56,8 @@ TEST(Stability, RefusesWhatItCannotSweep)
     EXPECT_NE(unknown.errors.find("did you mean ggx?"), std::string::npos) << unknown.errors;
     EXPECT_EQ(runTorrance({"stability", "--method", "srgb"}).exitCode, 2) << "has no function of a shading point";
     EXPECT_EQ(runTorrance({"stability", "--precision", "fp8"}).exitCode, 2);
+    EXPECT_EQ(runTorrance({"stability", "demo", "--method", "ggx"}).exitCode, 2);
+    EXPECT_EQ(runTorrance({"stability", "absent.glb"}).exitCode, 3);
     const TestFolder folder;
     std::ofstream(folder.file("file")) << "x";
     const Outcome blocked = runTorrance({"stability", "--method", "implicit", "-o", folder.file("file")});
