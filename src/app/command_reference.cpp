@@ -16,8 +16,11 @@
 #include "core/error.h"
 #include "core/log.h"
 #include "files/json_write.h"
+#include "passes/layers.h"
 #include "reference/checkpoint.h"
 #include "reference/reference_picture.h"
+#include "reference/surface_targets.h"
+#include "scene/camera_view.h"
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
@@ -34,7 +37,9 @@ struct Options
     std::optional<double> targetError;
     std::optional<int> maxDirections;
     int pixelSamples = 1;
+    std::string layers;
     std::string choice = "combined";
+    std::uint64_t seed = 0;
     std::string yardstick = "model";
     bool resume = false;
     double checkpointSeconds = 30.0;
@@ -71,6 +76,8 @@ void declareSampling(CLI::App& app, Options& o)
                    "Places in a pixel, by the reconstruction filter: what --samples is to render (default 1)")
         ->group(group)
         ->check(CLI::Range(1, kMaxPixelSamples));
+    app.add_option("--seed", o.seed, "Pictures of different seeds are independent: their difference is their noise")
+        ->group(group);
     addChoice(app, "--directions", o.choice, {"combined", "brdf", "light"},
               "Where directions are drawn from: combined (default), or one kind alone, as a check of the other")
         ->group(group);
@@ -91,6 +98,12 @@ void declare(CLI::App& app, Options& o)
     declareSceneOptions(app, o.scene);
     declareOutputOptions(app, o.output);
     declarePictureOptions(app, o.picture);
+    app.add_option(
+           "--aov", o.layers,
+           "Layers of an EXR, or files beside the picture: all, or names separated by commas out of variance and "
+           "directions, which an EXR has in any case, and the surface parameters of render's --aov")
+        ->group("Output")
+        ->type_name("NAMES");
     addChoice(app, "--yardstick", o.yardstick, {"model", "physics"},
               "model (default): the methods asked for, integrated exactly; physics: full Fresnel, random walks between "
               "facets, an energy-preserving body");
@@ -152,6 +165,7 @@ ReferenceSettings settingsOf(const Options& o)
     settings.directions = wholeRounds(o.directions);
     settings.targetError = o.targetError;
     settings.maxDirections = wholeRounds(o.maxDirections.value_or(kDefaultMostDirections));
+    settings.seed = o.seed;
     settings.background = backgroundOf(o.picture);
     settings.choice = o.choice == "brdf"    ? DirectionChoice::brdf
                       : o.choice == "light" ? DirectionChoice::light
@@ -169,11 +183,26 @@ void warnOfWhatIsLeftOut(const Scene& scene, const std::string& input)
         logWarning(input + ": " + std::to_string(count) + " primitives of points or lines are left out");
 }
 
-Picture pictureOf(ReferencePicture&& reference)
+std::vector<std::string> knownLayers()
 {
-    return {.color = std::move(reference.color),
-            .layers = {{"variance", {"R", "G", "B"}, std::move(reference.variance)},
-                       {"directions", {"V"}, std::move(reference.directions)}}};
+    std::vector<std::string> names = layerNames();
+    names.insert(names.end(), {"variance", "directions"});
+    return names;
+}
+
+std::string layersFor(const std::string& output, const Options& o)
+{
+    if (imageFormatOf(output) != ImageFormat::exr)
+        return o.layers;
+    return (o.layers.empty() ? "" : o.layers + ",") + "variance,directions";
+}
+
+Picture pictureOf(ReferencePicture&& reference, std::vector<Layer>&& surfaces)
+{
+    Picture picture = {.color = std::move(reference.color), .layers = std::move(surfaces)};
+    picture.layers.push_back({"variance", {"R", "G", "B"}, std::move(reference.variance)});
+    picture.layers.push_back({"directions", {"V"}, std::move(reference.directions)});
+    return picture;
 }
 
 /// How precise a picture is: over its pixels, half the 95 % interval against |c|_1.
@@ -269,10 +298,15 @@ Json draw(Session& session, const std::string& input, const std::string& output)
     ReferencePicture picture =
         phases.time("integrate", [&] { return compute(session, input, scene, camera, checkpointOf(output)); });
     Json::Object result = precisionOf(picture);
-    const bool exr = imageFormatOf(output) == ImageFormat::exr;
+    std::vector<Layer> surfaces;
+    if (!session.options.layers.empty())
+        surfaces = phases.time("layers", [&] {
+            return splitLayers(surfaceTargets(scene, camera, session.settings.width, session.settings.height),
+                               cameraPosition(camera));
+        });
     const auto files = phases.time("write", [&] {
-        return writeWithLayers(output, pictureOf(std::move(picture)), exr ? "all" : "",
-                               writeSettings(session.options.output));
+        return writeWithLayers(output, pictureOf(std::move(picture), std::move(surfaces)),
+                               layersFor(output, session.options), writeSettings(session.options.output));
     });
     if (const std::string checkpoint = checkpointOf(output); !checkpoint.empty())
         std::filesystem::remove(checkpoint);
@@ -290,6 +324,9 @@ ExitCode run(const Options& options, const GlobalOptions& global)
     const std::vector<std::string> outputs = outputNames(options.output, inputs);
     if (global.json == "-" && options.output.pattern == "-")
         throw usageError("--output and --json both name standard output", "give one of them a file");
+    checkLayerNames(options.layers, knownLayers());
+    if (options.output.pattern == "-" && !options.layers.empty())
+        throw usageError("--aov: standard output takes one picture", "name a file with --output");
     Session session(options);
     Json::Array pictures;
     for (std::size_t i = 0; i < outputs.size(); ++i) {

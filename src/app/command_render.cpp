@@ -157,7 +157,7 @@ ExitCode run(const Options& options, const GlobalOptions& global)
 {
     const std::vector<std::string> inputs = sceneInputs(options.scene);
     const std::vector<std::string> outputs = outputNames(options.output, inputs);
-    checkLayerNames(options.layers);
+    checkLayerNames(options.layers, layerNames());
     if (global.json == "-" && options.output.pattern == "-")
         throw usageError("--output and --json both name standard output", "give one of them a file");
     Session session(options, global);

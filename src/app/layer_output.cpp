@@ -27,9 +27,8 @@ std::string layerFile(const std::string& output, const std::string& layer)
 
 } // namespace
 
-void checkLayerNames(const std::string& names)
+void checkLayerNames(const std::string& names, const std::vector<std::string>& known)
 {
-    const std::vector<std::string> known = layerNames();
     for (const std::string& name : splitNames(names))
         if (name != "all" && std::ranges::find(known, name) == known.end()) {
             const std::string nearest = nearestName(name, known);

@@ -12,8 +12,8 @@ namespace torrance {
 /// The layers named by --aov ("all", or names separated by commas) out of what was drawn.
 std::vector<ImageLayer> chosenLayers(const std::string& names, const Picture& picture);
 
-/// Throws Error (usage) with the nearest known name where --aov names no layer.
-void checkLayerNames(const std::string& names);
+/// Throws Error (usage) with the nearest of `known` where --aov names no layer.
+void checkLayerNames(const std::string& names, const std::vector<std::string>& known);
 
 /// Writes the picture with its layers: inside an EXR; beside any other file FILE.EXT each as FILE.LAYER.exr. Standard
 /// output takes no layers. Returns the names of the files.

@@ -2,10 +2,17 @@
 
 #include "core/log.h"
 
+#include <cstdint>
 #include <cstdio>
 #include <unistd.h>
 
 namespace torrance {
+namespace {
+
+constexpr int kLogLines = 20; // of --verbose elsewhere than on a terminal
+constexpr std::size_t kBarWidth = 24;
+
+} // namespace
 
 bool peopleAreWatching()
 {
@@ -19,12 +26,18 @@ ProgressLine::ProgressLine(std::string text)
 
 void ProgressLine::show(int done, int all)
 {
-    const std::string step = label + ": " + std::to_string(done) + " of " + std::to_string(all);
-    if (!terminal)
-        return logInfo(step);
+    if (before < 0)
+        before = done - 1;
+    if (!terminal) {
+        if (all <= kLogLines || kLogLines * done / all != kLogLines * (done - 1) / all)
+            logInfo(label + ": " + std::to_string(done) + " of " + std::to_string(all));
+        return;
+    }
     const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-    const double left = done > 0 ? seconds * (all - done) / done : 0.0;
-    std::fprintf(stderr, "\r%s, %.1f s left\033[K", step.c_str(), left);
+    const double left = seconds * (all - done) / (done - before);
+    const auto filled = static_cast<std::size_t>(static_cast<std::int64_t>(kBarWidth) * done / all);
+    const std::string bar = std::string(filled, '#') + std::string(kBarWidth - filled, '.');
+    std::fprintf(stderr, "\r%s [%s] %d of %d, %.1f s left\033[K", label.c_str(), bar.c_str(), done, all, left);
     std::fflush(stderr);
     shown = true;
 }

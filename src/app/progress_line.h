@@ -1,4 +1,5 @@
-// How far the work is: one line that changes on a terminal, a line a step with --verbose elsewhere, nothing otherwise.
+// How far the work is, and how long it will take: a bar on a terminal, some lines with --verbose elsewhere, nothing
+// otherwise.
 #pragma once
 
 #include <chrono>
@@ -24,6 +25,7 @@ private:
     std::string label;
     bool terminal;
     bool shown = false;
+    int before = -1; // what was done when this began: an interrupted run goes on
     std::chrono::steady_clock::time_point start;
 };
 

@@ -48,7 +48,7 @@ ContentHash hashOfInputs(const Scene& scene, const Camera& camera, const Referen
                          std::string_view program)
 {
     const auto& [methods, physics, width, height, pixelSamples, directions, targetError, maxDirections, background,
-                 choice] = settings;
+                 choice, seed] = settings;
     ContentHasher hasher;
     hasher.add(program)
         .add(physics)
@@ -57,7 +57,8 @@ ContentHash hashOfInputs(const Scene& scene, const Camera& camera, const Referen
         .add(pixelSamples)
         .add(directions)
         .add(maxDirections)
-        .add(choice);
+        .add(choice)
+        .add(seed);
     hasher.add(targetError.value_or(0.0));
     hasher.add(background.has_value());
     const dvec4 color = background.value_or(dvec4(0.0));

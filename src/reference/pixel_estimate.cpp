@@ -84,8 +84,8 @@ void PixelEstimator::gather(int x, int y, std::vector<Point>& points, PixelEstim
                                    y + 0.5 + offsets[sample].y);
         const VisibleSurfaces seen = visibleSurfaces(caster, ray);
         for (std::size_t i = 0; i < seen.surfaces.size(); ++i)
-            addSurface(seen.surfaces[i], weight * seen.surfaces[i].share, hashNumbers({pixel, sample, i}), points,
-                       exact);
+            addSurface(seen.surfaces[i], weight * seen.surfaces[i].share,
+                       hashNumbers({settings.seed, pixel, sample, i}), points, exact);
         exact.covered += seen.surfaces.empty() ? 0.0 : weight;
         exact.color += weight * seen.through * backgroundOf(ray);
     }

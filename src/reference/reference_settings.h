@@ -25,6 +25,7 @@ struct ReferenceSettings
     int maxDirections = 1 << 16;                    // where they stop doubling
     std::optional<dvec4> background = std::nullopt; // premultiplied; none: the environment
     DirectionChoice choice = DirectionChoice::combined;
+    std::uint64_t seed = 0; // pictures of different seeds are independent: their difference is their noise
 };
 
 } // namespace torrance

@@ -43,6 +43,16 @@ TEST_F(Reference, GivesTheSameBytesWhateverTheThreads)
     }
 }
 
+TEST_F(Reference, WritesLayersIntoAnExrAndBesideOtherFiles)
+{
+    run({"reference", "demo", "-r", "8x6", "--samples", "64", "-o", folder.file("a.png"), "--aov", "depth,variance"});
+    EXPECT_EQ(folder.names(), (std::vector<std::string>{"a.depth.exr", "a.png", "a.variance.exr"}));
+    run({"reference", "demo", "-r", "8x6", "--samples", "64", "-o", folder.file("b.exr"), "--aov", "all"});
+    const std::string exr = contentOf("b.exr");
+    for (const char* channel : {"variance.G", "directions.V", "depth.V", "normal.X", "base_color.R", "object_id.V"})
+        EXPECT_NE(exr.find(channel), std::string::npos) << channel;
+}
+
 TEST_F(Reference, TargetErrorIsMetWhereTheDirectionsSuffice)
 {
     const auto widthOf = [&](std::vector<std::string> sampling) {
@@ -134,6 +144,7 @@ TEST_F(Reference, RefusesOptionsThatContradictEachOther)
                                                   {"--max-samples", "128"},
                                                   {"--target-error", "0.1", "--samples", "512", "--max-samples", "256"},
                                                   {"--directions", "lights"},
+                                                  {"--aov", "varience"},
                                                   {"--yardstick", "physics", "--preset", "gltf"},
                                                   {"--yardstick", "physics", "--diffuse", "burley"},
                                                   {"--fresnel", "exact_conductor"}})

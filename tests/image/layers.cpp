@@ -1,5 +1,7 @@
 // The pictures of surface parameters (--aov), against rays cast on the CPU.
+#include "passes/layers.h"
 #include "mesh_truth.h"
+#include "reference/surface_targets.h"
 #include "scene/camera_fit.h"
 #include "scene/camera_view.h"
 #include "scenes.h"
@@ -106,6 +108,23 @@ TEST(Layers, IdsNameObjectAndMaterialFromOne)
     EXPECT_EQ(agreeingShare(c, "object_id", object, 0.0), 1.0);
     EXPECT_EQ(agreeingShare(c, "material_id", material, 0.0), 1.0);
     EXPECT_EQ(valueOf(layerOf(c.picture, "object_id"), 0, 0).x, 0.0) << "nothing is there";
+}
+
+// `torrance reference --aov` has the same pictures, from rays.
+TEST(Layers, AreTheReferencesToo)
+{
+    const Case c = makeCase();
+    const std::vector<Layer> exact =
+        splitLayers(surfaceTargets(c.scene, c.camera, kSize, kSize), cameraPosition(c.camera));
+    ASSERT_EQ(exact.size(), c.picture.layers.size());
+    for (std::size_t i = 0; i < exact.size(); ++i) {
+        const auto at = [&](const CastPixel& p) {
+            const auto index = static_cast<int>(&p - c.cast.data());
+            return valueOf(exact[i], index % kSize, index / kSize);
+        };
+        EXPECT_EQ(exact[i].name, c.picture.layers[i].name);
+        EXPECT_GE(agreeingShare(c, exact[i].name, at, kTolerance), 0.99) << exact[i].name;
+    }
 }
 
 } // namespace
