@@ -307,7 +307,7 @@ constexpr Method kMethods[] = {
      .id = "fresnel_voh",
      .citation = "glTF 2.0, Appendix B, fresnel_mix: 1 - F(VoH)",
      .approximates = "albedo_scaling",
-     .domain = {.text = "all"},
+     .domain = {.text = "all; for light from an environment its mean, schlick_weighted: (1 - F0) (1 - w(NoV))"},
      .reciprocal = true,
      .formula = ColorFormula(&W_fresnel_voh)},
     {.slot = Slot::diffuseWeight,

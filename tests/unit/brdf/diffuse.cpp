@@ -212,6 +212,22 @@ TEST(Diffuse, ChanIsHeldAtZeroNearGrazing)
     EXPECT_LT(0.25 * 0.25 + bump, 0.0);
 }
 
+// A float's cosine of a right angle to itself can be 1 + 1e-7: no acos, root or logarithm may fall over it.
+TEST(Diffuse, CosinesBeyondOneAreOne)
+{
+    for (const Method& method : allMethods()) {
+        if (method.slot != Slot::diffuse)
+            continue;
+        for (const double roughness : {0.0, 0.5, 1.0}) {
+            ShadingPoint point = pointAt(1.0, 1.0, 0.0, roughness);
+            const double exact = valueOf(method, point).r;
+            point.NoV = point.NoL = point.NoH = point.VoH = point.VoL = 1.0 + 1e-7;
+            point.oneLessVoH = -1e-7;
+            EXPECT_NEAR(valueOf(method, point).r, exact, 1e-6) << method.id << ' ' << roughness;
+        }
+    }
+}
+
 // The second form: the paper's own order of terms, with the tangent and the differences 1 - E as printed, in a 64-bit
 // mantissa.
 long double eonOfThePaper(long double NoV, long double NoL, long double VoL, long double r, long double rho)
