@@ -2,11 +2,18 @@
 
 #include "brdf/method.h"
 #include "brdf/selection.h"
+#include "core/error.h"
+#include "core/read_file.h"
 #include "core/standard_output.h"
 #include "files/json_write.h"
+#include "study/measured_methods.h"
+#include "study/stability_atlas.h"
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
 
 namespace torrance {
 namespace {
@@ -16,6 +23,7 @@ using namespace brdf;
 struct Options
 {
     bool markdown = false;
+    std::string measured;
 };
 
 std::string formulaOf(const Method& method)
@@ -63,25 +71,53 @@ std::string plainText()
     return text;
 }
 
-std::string markdownOfSlot(Slot slot)
+std::string functionsOf(const Method& method)
+{
+    const std::string functions = formulaOf(method).empty() ? "judged by image" : "`" + formulaOf(method) + "`";
+    return glslOf(method).empty() ? functions : functions + ", `" + glslOf(method) + "`";
+}
+
+using Measured = std::vector<MeasuredMethod>;
+
+std::string errorText(const std::optional<double>& error)
+{
+    if (!error)
+        return "not evaluated";
+    return std::isfinite(*error) ? fmt::format("{:.2g}", *error) : "not finite";
+}
+
+// Three cells: rounding in 32 and in 16 bits, model error.
+std::string measuredCells(const Method& method, const Measured& measured)
+{
+    const auto found = std::ranges::find(measured, methodName(method), &MeasuredMethod::method);
+    if (found == measured.end())
+        return " | | |";
+    return fmt::format(" {} | {} | {} |", errorText(found->fp32), errorText(found->fp16), found->models);
+}
+
+std::string markdownOfSlot(Slot slot, const Measured& measured)
 {
     std::string text = fmt::format("\n## {}\n\n", slotName(slot));
-    text += "| method | source | approximates | domain | reciprocal | gains energy | preset | functions "
-            "|\n|---|---|---|---|---|---|---|---|\n";
-    for (const Method& method : allMethods()) {
-        if (method.slot != slot)
-            continue;
-        std::string functions = formulaOf(method).empty() ? "judged by image" : "`" + formulaOf(method) + "`";
-        if (!glslOf(method).empty())
-            functions += ", `" + glslOf(method) + "`";
-        text += fmt::format("| `{}` | {} | {} | {} | {} | {} | {} | {} |\n", method.id, method.citation,
-                            method.approximates, domainText(method.domain), method.reciprocal ? "yes" : "no",
-                            method.gainsEnergy ? "yes" : "no", presetsOf(method), functions);
-    }
+    text += "| method | source | approximates | domain | reciprocal | gains energy | preset | functions |";
+    text += measured.empty() ? "\n|---|---|---|---|---|---|---|---|\n"
+                             : " fp32 | fp16 | model error |\n|---|---|---|---|---|---|---|---|---|---|---|\n";
+    for (const Method& method : allMethods())
+        if (method.slot == slot)
+            text += fmt::format("| `{}` | {} | {} | {} | {} | {} | {} | {} |{}\n", method.id, method.citation,
+                                method.approximates, domainText(method.domain), method.reciprocal ? "yes" : "no",
+                                method.gainsEnergy ? "yes" : "no", presetsOf(method), functionsOf(method),
+                                measured.empty() ? "" : measuredCells(method, measured));
     return text;
 }
 
-std::string markdown()
+constexpr const char* kAboutMeasured =
+    "\n*fp32* and *fp16* are the greatest errors of the method's GLSL in that precision against its formula in double, "
+    "*model error* that of the formula against what it approximates (plus 1 % of the greatest value of a cell, the "
+    "worst "
+    "and the root of the mean square), over angles down to 1e-4 and all roughnesses, also outside of the domain: "
+    "`torrance stability --table docs/measured.csv` measured them.\n";
+
+std::string markdown(const Measured& measured)
 {
     std::string text = "# Shading methods\n\n"
                        "Written by `torrance methods --markdown` from the registry (`src/brdf/methods.cpp`). An empty "
@@ -95,8 +131,10 @@ std::string markdown()
             if (option.model == preset.model->id)
                 text += fmt::format("| `{}` | `--{} {}` | {} |\n", preset.id, option.isQuirk() ? "quirk" : "parameter",
                                     option.id, option.text);
+    if (!measured.empty())
+        text += kAboutMeasured;
     for (const Slot slot : allSlots())
-        text += markdownOfSlot(slot);
+        text += markdownOfSlot(slot, measured);
     return text;
 }
 
@@ -135,14 +173,28 @@ Json registryJson()
 void declare(CLI::App& app, Options& options)
 {
     app.add_flag("--markdown", options.markdown, "Print the tables of docs/methods.md");
+    app.add_option("--measured", options.measured,
+                   "With --markdown: add the errors of this table, as torrance stability --table writes it")
+        ->type_name("CSV");
+}
+
+Measured measuredOf(const Options& options)
+{
+    if (options.measured.empty())
+        return {};
+    if (!options.markdown)
+        throw usageError("--measured is for --markdown", "give both");
+    const std::vector<std::byte> bytes = readFile(options.measured);
+    return readMeasured({reinterpret_cast<const char*>(bytes.data()), bytes.size()}, options.measured);
 }
 
 ExitCode run(const Options& options, const GlobalOptions& global)
 {
+    const Measured measured = measuredOf(options);
     if (!global.json.empty())
         writeJson(global.json, registryJson());
     if (global.json != "-") // standard output holds one result
-        writeStandardOutput(options.markdown ? markdown() : plainText());
+        writeStandardOutput(options.markdown ? markdown(measured) : plainText());
     return ExitCode::success;
 }
 

@@ -11,6 +11,7 @@
 #include "core/standard_output.h"
 #include "files/image_encoders.h"
 #include "files/json_write.h"
+#include "study/measured_methods.h"
 #include "study/stability_atlas.h"
 
 #include <CLI/CLI.hpp>
@@ -31,6 +32,7 @@ struct Options
     std::string output;
     std::vector<std::string> precisions = {"fp16", "fp32", "fp64"};
     int size = AtlasSize().map;
+    std::string table;
     std::string device;
     SceneTrialOptions scene;
 };
@@ -50,6 +52,10 @@ void declare(CLI::App& app, Options& o)
         ->check(CLI::IsMember({"fp16", "fp32", "fp64"}));
     app.add_option("--size", o.size, "Columns and rows of the maps (default 64)")
         ->check(CLI::Range(kLeastSize, kMostSize));
+    app.add_option("--table", o.table,
+                   "Write the greatest errors of all methods, on maps of their own size: docs/measured.csv, which "
+                   "torrance methods --measured reads")
+        ->type_name("CSV");
     declareDeviceOption(app, o.device);
 }
 
@@ -191,8 +197,31 @@ ExitCode runMethods(const Options& options, const GlobalOptions& global)
     return ExitCode::success;
 }
 
+// Of every method, so that a table is always whole.
+ExitCode runTable(const Options& options, const GlobalOptions& global)
+{
+    const gpu::Device device = openDevice(options.device, global);
+    gpu::ShaderLibrary shaders(dataFolder() / "shaders", cacheFolder(global));
+    const std::vector<const Method*> methods = sweptMethods();
+    std::vector<MeasuredMethod> measured;
+    ProgressLine progress("stability");
+    for (const Method* method : methods) {
+        progress.show(static_cast<int>(measured.size()), static_cast<int>(methods.size()));
+        constexpr Precision kPrecisions[] = {Precision::fp16, Precision::fp32};
+        measured.push_back(measuredMethod(judgeMethod(device, shaders, *method, kMeasuredSize, kPrecisions)));
+    }
+    progress.clear();
+    writeFile(options.table, measuredCsv(measured));
+    return ExitCode::success;
+}
+
 ExitCode run(const Options& options, const GlobalOptions& global)
 {
+    const bool other = !options.methods.empty() || !options.scene.input.empty() || !options.output.empty();
+    if (!options.table.empty() && other)
+        throw usageError("--table is of all methods and goes with no other choice", "leave SCENE, --method and -o out");
+    if (!options.table.empty())
+        return runTable(options, global);
     if (options.scene.input.empty())
         return runMethods(options, global);
     if (!options.methods.empty())

@@ -1,8 +1,8 @@
 #include "study/method_energy.h"
 
 #include "brdf/brdf.h"
-#include "brdf/dfg.h"
 #include "brdf/distribution.h"
+#include "brdf/lobe_albedo.h"
 #include "math/quadrature.h"
 #include "passes/probe_term.h"
 #include "study/method_sweep.h"
@@ -117,12 +117,17 @@ double modelReturn(const Method& model, const dvec3& v, double r, double metalli
            diffuseReturn(v, r, [&](const ShadingPoint& point) { return part(point, &brdf::BrdfTerms::diffuse); });
 }
 
+// Of a white metal in the furnace, where every argument is its own mean over light from all sides: light reflected once
+// E, a Lambertian surface's 1, E at the light EAverage.
 double compensatedReturn(const ProbeTerm& term, double NoV, double r)
 {
     ShadingPoint point = mirrorPoint(NoV, r);
     point.f0 = dvec3(1);
-    point.E = brdf::lobeAlbedo(NoV, r);
-    return greatest(term.formula(point)) * point.E;
+    brdf::setLobeAlbedo(point);
+    point.single = dvec3(point.E);
+    point.spread = dvec3(1);
+    point.ELight = point.EAverage;
+    return greatest(term.formula(point));
 }
 
 double tableReturn(const ProbeTerm& term, double NoV, double r)
@@ -142,7 +147,7 @@ ShadingPoint reversed(const ShadingPoint& point)
 
 std::vector<ShadingPoint> reciprocityPoints(Slot slot, double NoV, double r)
 {
-    if (slot != Slot::multipleScattering)
+    if (!readsInterface(slot))
         return sweepPoints(slot, NoV, r, gpu::Precision::fp64);
     ShadingPoint point = brdf::makeShadingPoint(kNormal, {std::sqrt(1 - NoV * NoV), 0, NoV}, {0, 0.8, 0.6}, r);
     point.f0 = dvec3(1);
@@ -179,16 +184,15 @@ std::optional<double> reciprocityError(const Method& method, double NoV, double 
 {
     const Slot slot = method.slot;
     if (slot != Slot::model && slot != Slot::distribution && slot != Slot::visibility && slot != Slot::diffuse &&
-        slot != Slot::multipleScattering)
+        !readsInterface(slot))
         return std::nullopt;
     const ProbeTerm term = makeProbeTerm(method);
     double worst = 0;
     for (ShadingPoint point : reciprocityPoints(slot, NoV, r)) {
         ShadingPoint back = reversed(point);
-        if (slot == Slot::multipleScattering) {
-            point.E = brdf::lobeAlbedo(point.NoV, r);
-            back.E = brdf::lobeAlbedo(back.NoV, r);
-        }
+        if (readsInterface(slot))
+            for (ShadingPoint* one : {&point, &back})
+                brdf::setInterface(*one);
         const dvec3 there = term.formula(point), again = term.formula(back);
         for (int channel = 0; channel < 3; ++channel)
             if (const double size = std::max(std::abs(there[channel]), std::abs(again[channel])); size > 0)

@@ -188,7 +188,7 @@ MethodVerdict judgeMethod(const gpu::Device& device, gpu::ShaderLibrary& shaders
 {
     MethodVerdict verdict;
     verdict.method = &method;
-    const bool integrates = method.slot == Slot::dfg || method.slot == Slot::multipleScattering;
+    const bool integrates = method.slot == Slot::dfg || readsInterface(method.slot);
     verdict.axes = sweepAxes(method.slot, integrates ? std::min(size.map, kMostIntegrals) : size.map);
     for (const gpu::Precision precision : precisions) {
         verdict.sweeps.push_back(sweepMethod(device, shaders, method, verdict.axes, precision));

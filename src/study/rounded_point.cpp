@@ -68,9 +68,10 @@ double roundedTo(double x, Precision precision)
 brdf::ShadingPoint materialRounded(brdf::ShadingPoint point, Precision precision)
 {
     point.perceptualRoughness = roundedTo(point.perceptualRoughness, precision);
-    for (dvec3* color : {&point.f0, &point.f90, &point.eta, &point.k, &point.baseColor})
+    for (dvec3* color : {&point.f0, &point.f90, &point.eta, &point.k, &point.f82, &point.baseColor, &point.single,
+                         &point.spread, &point.F, &point.FNoV, &point.FNoL, &point.lobeAlbedo})
         *color = roundedTo(*color, precision);
-    for (double* scalar : {&point.ior, &point.metallic, &point.E})
+    for (double* scalar : {&point.ior, &point.metallic, &point.E, &point.bias, &point.ELight, &point.EAverage})
         *scalar = roundedTo(*scalar, precision);
     point.alpha = std::max(point.perceptualRoughness * point.perceptualRoughness, brdf::kMinAlpha);
     point.alphaT = point.alpha;

@@ -14,7 +14,8 @@ double leastNormal(gpu::Precision precision);
 /// The nearest number of the precision, subnormal ones included; infinity is not reached: |x| < 65504.
 double roundedTo(double x, gpu::Precision precision);
 
-/// Roughness and colours of the surface rounded, alpha formed anew: what both sides of a comparison are given.
+/// Roughness and colours of the surface, and what other terms told, rounded; alpha formed anew: what both sides of a
+/// comparison are given.
 brdf::ShadingPoint materialRounded(brdf::ShadingPoint point, gpu::Precision precision);
 
 /// What the geometry of a point has become on a device: every cosine, sin2H and oneLessVoH rounded and moved by `units`

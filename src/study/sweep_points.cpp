@@ -1,6 +1,6 @@
 #include "study/sweep_points.h"
 
-#include "brdf/dfg.h"
+#include "brdf/lobe_albedo.h"
 #include "study/rounded_point.h"
 
 #include <algorithm>
@@ -108,9 +108,9 @@ std::vector<ShadingPoint> pointsAt(Slot slot, double cosine, double row)
     case Slot::dfg:
         return {mirrorPoint(cosine, row)};
     case Slot::multipleScattering:
-        points = {mirrorPoint(cosine, row)};
-        points.front().E = brdf::lobeAlbedo(cosine, row);
-        return points;
+    case Slot::diffuseWeight: // an integral per direction of light: two of them
+        return {mirrorPoint(cosine, row),
+                brdf::makeShadingPoint(kNormal, directionAt(cosine, 0), directionAt(0.3, 1.3), row)};
     default:
         addLights(points, cosine, row);
         addHalfVectors(points, cosine, row, std::vector{0.0, 1e-3, 0.1, 0.8});
@@ -119,6 +119,11 @@ std::vector<ShadingPoint> pointsAt(Slot slot, double cosine, double row)
 }
 
 } // namespace
+
+bool readsInterface(Slot slot)
+{
+    return slot == Slot::multipleScattering || slot == Slot::diffuseWeight;
+}
 
 AxisNames axisNames(Slot slot)
 {
@@ -145,6 +150,8 @@ std::vector<ShadingPoint> sweepPoints(Slot slot, double cosine, double row, gpu:
         if (slot != Slot::fresnel)
             point.f0 = dvec3(0.04, 0.5, 1.0);
         point.baseColor = dvec3(0.03, 0.5, 1.0);
+        if (readsInterface(slot))
+            brdf::setInterface(point);
         point = materialRounded(point, precision);
     }
     return points;

@@ -25,6 +25,9 @@ struct AxisNames
 };
 AxisNames axisNames(brdf::Slot slot);
 
+/// True for slots whose points need brdf::setInterface: what the other terms tell them.
+bool readsInterface(brdf::Slot slot);
+
 /// `size` columns and rows. Cosines from 1e-4 (a surface that is seen has no less: kMinNoV) to 1, and roughnesses from
 /// 0 to 1, are spaced by squares, denser at grazing and on smooth surfaces. Indices lie on logarithmic scales about 1,
 /// from 0.4 over 1 +- 1e-6 and 1 itself to 3.

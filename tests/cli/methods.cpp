@@ -25,8 +25,18 @@ TEST(Methods, ListsSlotsMethodsAndPresets)
 
 TEST(Methods, TheGeneratedPageIsCurrent)
 {
-    EXPECT_EQ(runTorrance({"methods", "--markdown"}).output, contentOf(TORRANCE_SOURCE_DIR "/docs/methods.md"))
-        << "run: torrance methods --markdown > docs/methods.md";
+    const std::string measured = TORRANCE_SOURCE_DIR "/docs/measured.csv";
+    EXPECT_EQ(runTorrance({"methods", "--markdown", "--measured", measured}).output,
+              contentOf(TORRANCE_SOURCE_DIR "/docs/methods.md"))
+        << "run: torrance methods --markdown --measured docs/measured.csv > docs/methods.md";
+}
+
+TEST(Methods, TakesMeasuredErrorsForItsTablesOnly)
+{
+    const std::string measured = TORRANCE_SOURCE_DIR "/docs/measured.csv";
+    EXPECT_EQ(runTorrance({"methods", "--measured", measured}).exitCode, 2);
+    EXPECT_EQ(runTorrance({"methods", "--markdown", "--measured", "absent.csv"}).exitCode, 3);
+    EXPECT_EQ(runTorrance({"methods", "--markdown"}).output.find("| fp32 |"), std::string::npos);
 }
 
 TEST(Methods, WritesTheRegistryAsJson)
