@@ -88,8 +88,8 @@ TEST_F(Probe, ScalarsStandInAllThreeColumns)
 
 TEST_F(Probe, KnowsEveryTermThatHasAFormula)
 {
-    for (const char* term :
-         {"distribution", "visibility", "fresnel", "diffuse", "multiple_scattering", "dfg", "albedo", "brdf"})
+    for (const char* term : {"distribution", "visibility", "fresnel", "diffuse", "diffuse_weight",
+                             "multiple_scattering", "dfg", "albedo", "brdf"})
     {
         const Outcome outcome = probe(kHeader + kRow, {"--term", term});
         EXPECT_EQ(outcome.exitCode, 0) << term << ": " << outcome.errors;
