@@ -1,3 +1,5 @@
+#ifndef ENVIRONMENT_SAMPLE_POINTS
+#define ENVIRONMENT_SAMPLE_POINTS
 // Points of the unit square that a pixel's samples are made from.
 
 // Two fractions in [0, 1) from a pixel and the picture's number among those that make up one: PCG2D of Jarzynski & Olano, Hash
@@ -23,3 +25,5 @@ vec2 samplePoint(uint i, uint count, vec2 rotation)
     vec2 moved = p + rotation;
     return moved - step(vec2(1.0), moved);
 }
+
+#endif

@@ -2,6 +2,7 @@
 // the directions that it stands for (Colbert & Krivanek 2007, GPU-Based Importance Sampling).
 #include "environment/lobe_sample.glsl"
 #include "environment/sample_points.glsl"
+#include "light/axes_around.glsl"
 
 layout(constant_id = 3) const uint kEnvironmentSamples = 1;
 
@@ -11,15 +12,6 @@ float radianceLevel(vec3 l, float count, float density, float size)
 {
     float m = max(max(abs(l.x), abs(l.y)), abs(l.z));
     return max(0.5 * log2(size * size / (4.0 * m * m * m * count * density)), 0.0);
-}
-
-// Axes about unit n: Duff et al. 2017, listing 3; the same as frameAround of src/math/frame.h.
-mat3 axesAround(vec3 n)
-{
-    float side = n.z < 0.0 ? -1.0 : 1.0;
-    float a = -1.0 / (side + n.z);
-    float b = n.x * n.y * a;
-    return mat3(1.0 + side * n.x * n.x * a, side * b, -side * n.x, b, side + n.y * n.y * a, -n.y, n);
 }
 
 // The light of Schlick's lobe of reflectance F0 is F0 scale + bias. n and v unit, in the environment's axes.

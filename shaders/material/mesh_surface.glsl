@@ -3,6 +3,12 @@
 #include "material/direction.glsl"
 #include "material/normal_map.glsl"
 #include "material/surface.glsl"
+#ifdef AA_TOKUYOSHI
+#include "material/aa_tokuyoshi.glsl"
+#endif
+#ifdef AA_TOKSVIG
+#include "material/aa_toksvig.glsl"
+#endif
 
 layout(location = 0) in vec3 inPosition;
 layout(location = 6) flat in uvec2 inIds;
@@ -96,6 +102,23 @@ vec3 readNormal(Material material, vec3 geometricNormal)
 #endif
 }
 
+// The roughness with what the pixel's normals spread over (slot specular_antialiasing).
+float antialiasedRoughness(Surface s)
+{
+    float alpha = max(s.perceptualRoughness * s.perceptualRoughness, kMinAlpha);
+    float filtered = alpha;
+#if defined(AA_TOKUYOSHI) && defined(NORMALS)
+    // Of the vertices' normals, as in the paper: they are interpolated outside of the triangle too, where lavapipe reads zeros for
+    // what a normal map is scaled by. Where there is no normal, the face is flat.
+    vec3 n = dot(inNormal, inNormal) > 0.0 ? normalize(inNormal) : vec3(0.0);
+    filtered = AA_tokuyoshi(dFdx(n), dFdy(n), alpha);
+#endif
+#ifdef AA_TOKSVIG
+    filtered = AA_toksvig(texture(normalTexture, NORMAL_UV).a, alpha);
+#endif
+    return filtered == alpha ? s.perceptualRoughness : sqrt(filtered);
+}
+
 Surface readSurface()
 {
     Material material = materials[inIds.x];
@@ -117,6 +140,7 @@ Surface readSurface()
     s.perceptualRoughness *= metallicRoughness.g;
     s.metallic *= metallicRoughness.b;
 #endif
+    s.perceptualRoughness = antialiasedRoughness(s);
     s.occlusion = 1.0;
 #ifdef OCCLUSION_UV
     s.occlusion += material.occlusionStrength * (texture(occlusionTexture, OCCLUSION_UV).r - 1.0);

@@ -19,16 +19,25 @@ layout(constant_id = 2) const uint kSpotCount = 0;
 #ifdef PUNCTUAL_LIGHTS
 layout(set = 0, binding = kBindLights, scalar) readonly buffer LightBuffer { Light lights[]; };
 
-// What one light adds: f(v, l) * irradiance, `l` unit, `irradiance` of a surface that faces the light.
-vec3 reflected(Surface s, float alpha, LobeAlbedo lobe, vec3 l, vec3 irradiance)
+// The surface's terms for light from `l`, unit.
+BrdfTerms reflectedTerms(Surface s, float alpha, LobeAlbedo lobe, vec3 l)
 {
 #ifdef READS_LIGHT_ALBEDO
     lobe.ELight = directionalAlbedo(clamp(dot(s.normal, l), 0.0, 1.0), s.perceptualRoughness).w;
 #endif
-    BrdfTerms terms = SELECTED_model(
-        BrdfInput(s.normal, s.view, l, s.baseColor, s.metallic, s.perceptualRoughness, alpha, lobe));
+    return SELECTED_model(BrdfInput(s.normal, s.view, l, s.baseColor, s.metallic, s.perceptualRoughness, alpha, lobe));
+}
+
+// What one light adds: f(v, l) * irradiance, `irradiance` of a surface that faces the light.
+vec3 reflected(Surface s, float alpha, LobeAlbedo lobe, vec3 l, vec3 irradiance)
+{
+    BrdfTerms terms = reflectedTerms(s, alpha, lobe, l);
     return terms.brdf * irradiance * terms.weight;
 }
+
+#ifdef AREA_LIGHTS
+#include "light/sphere.glsl"
+#endif
 
 vec3 punctualLight(Surface s, float alpha, LobeAlbedo lobe)
 {
@@ -44,6 +53,14 @@ vec3 punctualLight(Surface s, float alpha, LobeAlbedo lobe)
         float attenuation = distanceAttenuation(distance2, light.inverseRange);
         if (i >= kPointCount)
             attenuation *= coneAttenuation(dot(l, light.direction), light.coneScale, light.coneOffset);
+#ifdef AREA_LIGHTS
+        if (light.radius > 0.0)
+        {
+            float nearer = distance2 / max(distance2, light.radius * light.radius); // in the sphere: as from its surface
+            sum += sphereLight(s, alpha, lobe, toLight, l, light.radius, light.intensity * (attenuation * nearer));
+            continue;
+        }
+#endif
         sum += reflected(s, alpha, lobe, l, light.intensity * attenuation);
     }
     return sum;

@@ -1,6 +1,9 @@
 // The surface of an analytic shape under a pixel: exact but for the rounding of its inputs.
 #include "material/bend_normal.glsl"
 #include "material/surface.glsl"
+#ifdef AA_TOKUYOSHI
+#include "material/aa_tokuyoshi.glsl"
+#endif
 #include "shared/instance.h"
 
 layout(set = 0, binding = kBindInstances, scalar) readonly buffer InstanceBuffer { Instance instances[]; };
@@ -13,9 +16,9 @@ struct PixelRay
     vec3 direction; // unit
 };
 
-PixelRay pixelRay()
+PixelRay pixelRay(vec2 pixel)
 {
-    vec3 q = frame.corner + gl_FragCoord.x * frame.across + gl_FragCoord.y * frame.down;
+    vec3 q = frame.corner + pixel.x * frame.across + pixel.y * frame.down;
     return PixelRay(q * frame.orthographic, normalize(mix(q, frame.forward, frame.orthographic)));
 }
 
@@ -62,7 +65,7 @@ Surface readSurface()
 {
     Instance instance = instances[inInstance];
     float size = length(instance.linear[0]); // a shape's scale is uniform
-    PixelRay ray = pixelRay();
+    PixelRay ray = pixelRay(gl_FragCoord.xy);
 #ifdef SURFACE_SPHERE
     Hit hit = hitSphere(ray, instance.translation, size);
 #else
@@ -70,6 +73,9 @@ Surface readSurface()
 #endif
     vec3 view = -ray.direction;
     bool front = dot(hit.normal, view) > 0.0;
+#ifdef AA_TOKUYOSHI
+    vec3 outside = hit.normal;
+#endif
 #ifdef DOUBLE_SIDED
     hit.normal = front ? hit.normal : -hit.normal;
 #else
@@ -90,6 +96,19 @@ Surface readSurface()
     s.alpha = material.baseColorFactor.a;
     s.metallic = material.metallicFactor;
     s.perceptualRoughness = material.roughnessFactor;
+#ifdef AA_TOKUYOSHI
+    float alpha = max(s.perceptualRoughness * s.perceptualRoughness, kMinAlpha);
+    // The next pixels' normals by rays of their own: derivatives would need neighbours outside of the triangle, and lavapipe's read
+    // zeros for the frame.
+#ifdef SURFACE_SPHERE
+    vec3 right = hitSphere(pixelRay(gl_FragCoord.xy + vec2(1.0, 0.0)), instance.translation, size).normal;
+    vec3 below = hitSphere(pixelRay(gl_FragCoord.xy + vec2(0.0, 1.0)), instance.translation, size).normal;
+#else
+    vec3 right = outside, below = outside;
+#endif
+    float filtered = AA_tokuyoshi(right - outside, below - outside, alpha);
+    s.perceptualRoughness = filtered == alpha ? s.perceptualRoughness : sqrt(filtered);
+#endif
     s.occlusion = 1.0;
     s.emissive = material.emissiveFactor;
     s.ids = uvec2(instance.material, instance.object);

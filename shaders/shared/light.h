@@ -13,6 +13,7 @@ struct Light
     vec3 direction; // towards the light: minus the way it travels
     vec3 intensity; // colour times lux or candela
     float inverseRange; // 0 = unlimited
+    float radius;       // metres; 0 = a point
     float coneScale;    // angular attenuation = clamp(cos * scale + offset, 0, 1)^2
     float coneOffset;
 };

@@ -28,6 +28,7 @@ struct Options
     int samples = 1;
     std::string path = "forward";
     std::optional<int> environmentSamples;
+    std::optional<int> lightSamples;
     std::string layers;
     bool explain = false;
     std::string device;
@@ -40,7 +41,7 @@ struct Options
 };
 
 constexpr int kMaxSamples = 4096;
-constexpr int kMaxEnvironmentSamples = 65536; // seconds per picture of a thumbnail
+constexpr int kMaxDirections = 65536; // seconds per picture of a thumbnail
 
 void declare(CLI::App& app, Options& o)
 {
@@ -66,7 +67,11 @@ void declare(CLI::App& app, Options& o)
            "--environment-samples", o.environmentSamples,
            "Directions per pixel and picture of the environment_specular methods that draw samples (default 64)")
         ->group("Methods")
-        ->check(CLI::Range(1, kMaxEnvironmentSamples));
+        ->check(CLI::Range(1, kMaxDirections));
+    app.add_option("--light-samples", o.lightSamples,
+                   "Directions per pixel, picture and light of --area-light sampled (default 64)")
+        ->group("Methods")
+        ->check(CLI::Range(1, kMaxDirections));
     declareDeviceOption(app, o.device);
 }
 
@@ -89,11 +94,16 @@ Settings settingsOf(const Options& o)
         throw usageError("--environment-samples is for methods that draw samples, and the environment's is " +
                              std::string(methods.environmentSpecular ? methods.environmentSpecular->id : "none"),
                          "choose one with --environment-specular, such as vndf_bounded");
+    if (o.lightSamples && methods.areaLight->id != "sampled")
+        throw usageError("--light-samples is for --area-light sampled, and the method is " +
+                             std::string(methods.areaLight->id),
+                         "choose it, or leave the number out");
     return {.methods = methods,
             .width = size.x,
             .height = size.y,
             .samples = o.samples,
             .environmentSamples = o.environmentSamples.value_or(Settings().environmentSamples),
+            .lightSamples = o.lightSamples.value_or(Settings().lightSamples),
             .background = background.kind,
             .backgroundColor = background.color,
             .path = o.path == "deferred" ? RenderPath::deferred : RenderPath::forward,

@@ -7,6 +7,7 @@
 #include "scene/shape_mesh.h"
 
 #include <CLI/CLI.hpp>
+#include <cmath>
 
 namespace torrance {
 namespace {
@@ -31,6 +32,20 @@ LoadedScene primitiveScene(const std::string& name)
     return loaded;
 }
 
+void giveLightsARadius(Scene& scene, double radius)
+{
+    if (!(radius >= 0.0) || !std::isfinite(radius))
+        throw usageError("--light-radius must be 0 or more", "give metres, such as 0.1");
+    bool found = false;
+    for (Light& light : scene.lights)
+        if (light.kind != Light::Kind::directional) {
+            light.radius = radius;
+            found = true;
+        }
+    if (!found)
+        throw usageError("--light-radius is for point and spot lights, and the scene has none", "leave it out");
+}
+
 } // namespace
 
 void declareSceneOptions(CLI::App& app, SceneOptions& options)
@@ -47,6 +62,9 @@ void declareSceneOptions(CLI::App& app, SceneOptions& options)
         ->check(CLI::Range(0, 1 << 20));
     app.add_flag("--allow-external", options.allowExternal, "Follow URIs that leave the folder of the file")
         ->group("Scene");
+    app.add_option("--light-radius", options.lightRadius,
+                   "Radius of every point and spot light in metres, instead of the file's (see --area-light)")
+        ->group("Light");
     declareMaterialOptions(app, options.material);
 }
 
@@ -88,6 +106,8 @@ LoadedScene buildChosenScene(const SceneOptions& chosen, const std::string& inpu
         chosen.primitive.empty() ? loadScene(sceneFile(input), loadOptions(chosen)) : primitiveScene(chosen.primitive);
     if (!chosen.primitive.empty() || choosesMaterial(chosen.material))
         applyMaterial(chosen.material, loaded);
+    if (chosen.lightRadius)
+        giveLightsARadius(loaded.scene, *chosen.lightRadius);
     return loaded;
 }
 

@@ -5,6 +5,7 @@
 #include "app/material_options.h"
 #include "files/scene_file.h"
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -21,9 +22,11 @@ struct SceneOptions
     MaterialOptions material;
     int scene = -1; // of the file, -1 = the file's own choice
     bool allowExternal = false;
+    std::optional<double> lightRadius; // metres, of every point and spot light
 };
 
-/// The scenes themselves, --primitive, --scene, --allow-external and the options of the material.
+/// The scenes themselves, --primitive, --scene, --allow-external, --light-radius and the options of the
+/// material.
 void declareSceneOptions(CLI::App& app, SceneOptions& options);
 
 /// What is drawn, by name: the files, or the primitive. Errors (usage): neither or both, an option that would have no

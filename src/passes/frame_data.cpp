@@ -147,6 +147,7 @@ std::vector<shared::Light> makeLights(const ShadingPlan& plan, const dvec3& eye)
         l.direction = vec3(-light.direction);
         l.intensity = vec3(light.color * light.intensity);
         l.inverseRange = light.range > 0.0 ? static_cast<float>(1.0 / light.range) : 0.0f;
+        l.radius = static_cast<float>(light.radius);
         const double scale =
             1.0 / std::max(kLeastCone, std::cos(light.innerConeAngle) - std::cos(light.outerConeAngle));
         l.coneScale = static_cast<float>(scale);

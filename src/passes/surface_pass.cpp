@@ -137,6 +137,7 @@ std::vector<std::uint32_t> shadingConstants(const ShadingPlan& plan)
     for (const int count : plan.lightCounts)
         constants.push_back(static_cast<std::uint32_t>(count));
     constants.push_back(static_cast<std::uint32_t>(plan.settings.environmentSamples));
+    constants.push_back(static_cast<std::uint32_t>(plan.settings.lightSamples));
     return constants;
 }
 

@@ -85,12 +85,12 @@ Storage storageOf(TexelFormat format, TexelContent content)
     return {wide ? vk::Format::eR16G16B16A16Unorm : vk::Format::eR8G8B8A8Unorm, bytesPerTexel(format), appendStored};
 }
 
-Texels makeTexels(const TextureImage& image, TexelContent content, bool mips, bool weighByAlpha)
+Texels makeTexels(const TextureImage& image, const MipRule& rule, bool mips)
 {
     std::vector<TextureImage> levels;
     if (mips)
-        levels = makeMips(image, {.content = content, .weighByAlpha = weighByAlpha});
-    const Storage storage = storageOf(image.format, content);
+        levels = makeMips(image, rule);
+    const Storage storage = storageOf(image.format, rule.content);
     Texels texels = {.format = storage.format,
                      .bytesPerTexel = storage.bytesPerTexel,
                      .mips = static_cast<std::uint32_t>(1 + levels.size()),
@@ -153,9 +153,17 @@ Textures::Textures(const gpu::Device& device, const Scene& scene, const ShadingP
                 if (!*samplers[index])
                     samplers[index] = makeSampler(device, texture.sampler, lodBias);
             }
+    const bool lengths = plan.settings.methods.specularAntialiasing->id == "toksvig";
     for (const auto& [use, need] : needs) {
         const TextureImage& source = scene.images[static_cast<std::size_t>(use.first)];
-        images.emplace(use, upload(device, source, makeTexels(source, use.second, need.mips, need.alphaMatters)));
+        if (lengths && use.second == TexelContent::normal)
+            images.emplace(use, upload(device, source,
+                                       makeTexels(wideNormals(source), {.content = use.second, .lengthInAlpha = true},
+                                                  need.mips)));
+        else
+            images.emplace(
+                use, upload(device, source,
+                            makeTexels(source, {.content = use.second, .weighByAlpha = need.alphaMatters}, need.mips)));
     }
 }
 

@@ -40,6 +40,14 @@ void defineEnvironment(std::string& text, const brdf::Preset& methods)
                 brdf::functionName(specular) + "\n";
 }
 
+// toksvig reads a normal map; tokuyoshi how normals turn, of whatever surface.
+void defineAntialiasing(std::string& text, const brdf::Preset& methods, bool normalMap)
+{
+    const brdf::Method& method = *methods.specularAntialiasing;
+    define(text, "AA_TOKUYOSHI", method.id == "tokuyoshi");
+    define(text, "AA_TOKSVIG", method.id == "toksvig" && normalMap);
+}
+
 const char* surfaceMacro(SurfaceKind kind)
 {
     switch (kind) {
@@ -80,6 +88,9 @@ std::string selectedText(const ShadingPlan& plan, const ShaderKey& key)
     define(text, "UNLIT", key.unlit);
     define(text, "LIT", lit);
     define(text, "PUNCTUAL_LIGHTS", lit && !plan.lights.empty());
+    define(text, "AREA_LIGHTS", lit && plan.areaLights);
+    define(text, "AREA_SAMPLED", lit && plan.areaLights && plan.settings.methods.areaLight->id == "sampled");
+    defineAntialiasing(text, plan.settings.methods, lit && key.normal.used);
     define(text, "ENVIRONMENT_LIGHT", lit && plan.environmentLight);
     if (lit && plan.environmentLight)
         defineEnvironment(text, plan.settings.methods);

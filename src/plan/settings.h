@@ -27,6 +27,7 @@ struct Settings
     int height = 1024;
     int samples = 1;             // per pixel
     int environmentSamples = 64; // per pixel and picture, of methods of environmentSpecular that draw samples
+    int lightSamples = 64;       // per pixel, picture and light with a radius, of the method `sampled` of areaLight
     BackgroundKind background = BackgroundKind::environment;
     dvec3 backgroundColor = dvec3(0.0); // scene-linear
     RenderPath path = RenderPath::forward;

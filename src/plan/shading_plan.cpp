@@ -66,6 +66,7 @@ private:
     void planMaterials();
     void planSurfaces();
     void planLighting();
+    void planAreaLights();
     void addPrimitives();
     void addShapes();
     void add(const ShaderKey& key, const TextureSet& textures, const Draw& draw);
@@ -254,6 +255,18 @@ void checkLobe(const ShadingPlan& plan)
                      "leave them out: --environment none --multiple-scattering none --diffuse-weight fresnel_voh");
 }
 
+void Planner::planAreaLights()
+{
+    const bool points = plan.settings.methods.areaLight->id == "point";
+    for (const Light& light : plan.lights) {
+        if (light.radius <= 0.0)
+            continue;
+        plan.areaLights |= !points;
+        if (points)
+            plan.remarks.push_back({"light '" + light.name + "'", "drawn as a point", "area_light is point"});
+    }
+}
+
 void Planner::planLighting()
 {
     bool lit = false, compensates = false;
@@ -269,6 +282,7 @@ void Planner::planLighting()
     }
     plan.lights = std::move(lights.lights);
     plan.lightCounts = lights.counts;
+    planAreaLights();
 
     const bool hasEnvironment = scene.environment && scene.environment->intensity > 0.0;
     plan.environmentLight = hasEnvironment && lit;

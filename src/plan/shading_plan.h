@@ -53,6 +53,7 @@ struct ShadingPlan
     std::vector<Batch> blended; // one draw of one instance each
     std::vector<Light> lights;  // directional, then point, then spot
     std::array<int, 3> lightCounts = {0, 0, 0};
+    bool areaLights = false;                // some light is drawn with its radius
     bool environmentLight = false;          // some surface is lit by the environment
     bool panorama = false;                  // the environment is seen behind the scene
     bool dfgTable = false;                  // some shader reads directional albedos

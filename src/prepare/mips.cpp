@@ -94,12 +94,15 @@ public:
     void encode(const vec4& mean, std::byte* texel) const
     {
         vec3 value(mean);
+        float alpha = mean.a;
         if (rule.content == TexelContent::normal) {
             const float length = glm::length(value);
+            if (rule.lengthInAlpha)
+                alpha = length;
             value = (length > 0.0f ? value / length : vec3(0, 0, 1)) * 0.5f + 0.5f;
         } else if (rule.weighByAlpha)
             value /= mean.a + kHiddenWeight;
-        encodeChannels(vec4(glm::clamp(value, 0.0f, 1.0f), std::clamp(mean.a, 0.0f, 1.0f)), texel);
+        encodeChannels(vec4(glm::clamp(value, 0.0f, 1.0f), std::clamp(alpha, 0.0f, 1.0f)), texel);
     }
 
 private:
@@ -234,6 +237,23 @@ TextureImage storeMeans(const Means& means, const Codec& codec, const std::strin
 }
 
 } // namespace
+
+TextureImage wideNormals(const TextureImage& normals)
+{
+    const Codec from(normals.format, {.content = TexelContent::normal});
+    const Codec to(TexelFormat::rgba16, {.content = TexelContent::normal, .lengthInAlpha = true});
+    const std::size_t count = static_cast<std::size_t>(normals.width) * static_cast<std::size_t>(normals.height);
+    TextureImage wide{normals.name, normals.width, normals.height, TexelFormat::rgba16, {}};
+    wide.texels.resize(count * bytesPerTexel(wide.format));
+    parallelFor(count, kTexelsPerTask, [&](std::size_t i) {
+        vec4 texel;
+        from.decode(normals.texels.data() + i * bytesPerTexel(normals.format), 1, &texel);
+        const float length = glm::length(vec3(texel));
+        to.encode(vec4(length > 0.0f ? vec3(texel) / length : vec3(0, 0, 1), 1.0f),
+                  wide.texels.data() + i * bytesPerTexel(wide.format));
+    });
+    return wide;
+}
 
 int mipCount(int width, int height)
 {

@@ -21,7 +21,13 @@ struct MipRule
     /// Colours count by their alpha, so that what lies hidden under the transparent part of a leaf does not bleed into
     /// its rim (Porter & Duff 1984: average premultiplied, divide again). For AlphaMode::mask and blend.
     bool weighByAlpha = false;
+    /// Of normals: alpha holds the length of the mean of the unit normals, which Toksvig's filter reads. Texels of 16
+    /// bits are due, made by wideNormals: 8 would round lengths near 1 by more than they differ.
+    bool lengthInAlpha = false;
 };
+
+/// A normal map in 16 bits a channel with unit normals and an alpha of 1, their length.
+TextureImage wideNormals(const TextureImage& normals);
 
 /// Number of levels of a full chain: floor(log2(max(width, height))) + 1.
 int mipCount(int width, int height);

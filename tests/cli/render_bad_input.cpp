@@ -238,6 +238,7 @@ TEST_F(RenderBadInput, OptionsThatWouldBeIgnored)
     refused("out.hdr", {"--tone", "agx"});
     refused("out.exr", {"--transfer", "linear"});
     refused("out.png", {"--environment-samples", "16"});
+    refused("out.png", {"--light-samples", "16"});
     refused("out.png", {"--environment-samples", "16", "--environment-specular", "split_sum_dominant"});
     refused("out.png", {"--quality", "50"});
     refused("out.jpg", {"--bits", "16"});
