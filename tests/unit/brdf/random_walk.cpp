@@ -40,7 +40,7 @@ TEST(RandomWalk, FirstOrderIsTheMicrofacetBrdf)
         for (const double NoL : {0.9, 0.2}) {
             const ShadingPoint point = pointAt(NoV, NoL, 2.5, std::sqrt(alpha));
             const double exact = D_ggx(point) * V_smith_corr(point) * point.NoL;
-            const Replicates once = meanOf(1024, [&](const dvec2&, NumberStream& numbers) {
+            const Replicates once = meanOf(8192, [&](const dvec2&, NumberStream& numbers) {
                 NumberStream again = numbers;
                 return walkResponse(point.v, point.l, alpha, kMirror, 1, numbers).a -
                        walkResponse(point.v, point.l, alpha, kMirror, 2, again).a;
@@ -54,7 +54,7 @@ TEST(RandomWalk, WhiteSurfacesReturnAllLight)
 {
     for (const auto& [NoV, alpha] : kCases) {
         const dvec3 v = directionAt(NoV, 0.4);
-        const Replicates energy = meanOf(4096, [&](const dvec2& u, NumberStream& numbers) {
+        const Replicates energy = meanOf(16384, [&](const dvec2& u, NumberStream& numbers) {
             const bool lobe = numbers.next() < 0.5;
             const dvec3 l = lobe ? sampleGgxReflection(v, dvec2(alpha), u) : sampleCosine(u);
             if (l.z <= 0.0)
@@ -73,7 +73,7 @@ TEST(RandomWalk, WhatIsReflectedOnceIsTheLobesAlbedo)
     // Single scattering of a white surface keeps E (albedo.h); so 1 - E is what comes from the second order on.
     for (const auto& [NoV, alpha] : kCases) {
         const dvec3 v = directionAt(NoV, 0.4);
-        const Replicates rest = meanOf(4096, [&](const dvec2& u, NumberStream& numbers) {
+        const Replicates rest = meanOf(16384, [&](const dvec2& u, NumberStream& numbers) {
             const dvec3 l = sampleCosine(u);
             return walkResponse(v, l, alpha, kMirror, 2, numbers).a / cosineDensity(l);
         });
