@@ -16,6 +16,11 @@ layout(constant_id = 0) const uint kDirectionalCount = 0;
 layout(constant_id = 1) const uint kPointCount = 0;
 layout(constant_id = 2) const uint kSpotCount = 0;
 
+float alphaOf(Surface s)
+{
+    return max(s.perceptualRoughness * s.perceptualRoughness, kMinAlpha);
+}
+
 #ifdef PUNCTUAL_LIGHTS
 layout(set = 0, binding = kBindLights, scalar) readonly buffer LightBuffer { Light lights[]; };
 
@@ -69,7 +74,7 @@ vec3 punctualLight(Surface s, float alpha, LobeAlbedo lobe)
 
 vec3 shade(Surface s)
 {
-    float alpha = max(s.perceptualRoughness * s.perceptualRoughness, kMinAlpha);
+    float alpha = alphaOf(s);
     vec3 color = s.emissive;
 #ifdef DFG_TABLE
     vec4 albedo = directionalAlbedo(clamp(dot(s.normal, s.view), 0.0, 1.0), s.perceptualRoughness);

@@ -30,6 +30,9 @@ struct Frame
     vec3 irradianceHarmonics[9]; // irradiance / pi in shBasis's order, for environment_diffuse sh9
     float panoramaLevel;        // mip of the panorama that has about one texel a pixel
     uint picture;               // number of this picture among those whose mean is the result
+
+    uint viewTerm;  // shared/view.h: read by passes/surface_view.frag
+    uint viewLight; // number of the light whose terms are viewed
 };
 
 SHARED_END

@@ -4,6 +4,7 @@
 #include "app/environment_option.h"
 #include "app/interruption.h"
 #include "app/layer_output.h"
+#include "app/light_option.h"
 #include "app/method_options.h"
 #include "app/option_value.h"
 #include "app/output_options.h"
@@ -47,6 +48,7 @@ struct Options
     PictureOptions picture;
     CameraOptions camera;
     EnvironmentOptions environment;
+    LightOptions light;
     MethodOptions methods;
     OutputOptions output;
 };
@@ -111,6 +113,7 @@ void declare(CLI::App& app, Options& o)
     declareCheckpoints(app, o);
     declareCameraOptions(app, o.camera);
     declareEnvironmentOptions(app, o.environment);
+    declareLightOptions(app, o.light);
     declareMethodOptions(app, o.methods);
 }
 
@@ -291,6 +294,7 @@ Json draw(Session& session, const std::string& input, const std::string& output)
     Phases& phases = session.phases;
     LoadedScene loaded = phases.time("load", [&] { return loadChosenScene(session.options.scene, input); });
     Scene& scene = loaded.scene;
+    addChosenLights(session.options.light, session.settings.methods, scene);
     scene.environment = session.environment;
     warnOfWhatIsLeftOut(scene, input);
     const double aspect = double(session.settings.width) / session.settings.height;
@@ -306,7 +310,8 @@ Json draw(Session& session, const std::string& input, const std::string& output)
         });
     const auto files = phases.time("write", [&] {
         return writeWithLayers(output, pictureOf(std::move(picture), std::move(surfaces)),
-                               layersFor(output, session.options), writeSettings(session.options.output));
+                               layersFor(output, session.options),
+                               writeSettings(session.options.output, session.settings.methods));
     });
     if (const std::string checkpoint = checkpointOf(output); !checkpoint.empty())
         std::filesystem::remove(checkpoint);

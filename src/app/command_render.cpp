@@ -4,6 +4,7 @@
 #include "app/device_option.h"
 #include "app/environment_option.h"
 #include "app/layer_output.h"
+#include "app/light_option.h"
 #include "app/method_options.h"
 #include "app/option_value.h"
 #include "app/output_options.h"
@@ -11,6 +12,7 @@
 #include "app/picture_options.h"
 #include "app/progress_line.h"
 #include "app/scene_input.h"
+#include "app/view_option.h"
 #include "brdf/environment.h"
 #include "core/data_folder.h"
 #include "core/log.h"
@@ -19,6 +21,7 @@
 #include "passes/renderer.h"
 
 #include <CLI/CLI.hpp>
+#include <fmt/format.h>
 
 namespace torrance {
 namespace {
@@ -36,6 +39,8 @@ struct Options
     PictureOptions picture;
     CameraOptions camera;
     EnvironmentOptions environment;
+    LightOptions light;
+    ViewOptions view;
     MethodOptions methods;
     OutputOptions output;
 };
@@ -62,6 +67,8 @@ void declare(CLI::App& app, Options& o)
     app.add_flag("--explain", o.explain, "Print what is computed for the scene, what is left out and why");
     declareCameraOptions(app, o.camera);
     declareEnvironmentOptions(app, o.environment);
+    declareLightOptions(app, o.light);
+    declareViewOptions(app, o.view);
     declareMethodOptions(app, o.methods);
     app.add_option(
            "--environment-samples", o.environmentSamples,
@@ -98,23 +105,26 @@ Settings settingsOf(const Options& o)
         throw usageError("--light-samples is for --area-light sampled, and the method is " +
                              std::string(methods.areaLight->id),
                          "choose it, or leave the number out");
-    return {.methods = methods,
-            .width = size.x,
-            .height = size.y,
-            .samples = o.samples,
-            .environmentSamples = o.environmentSamples.value_or(Settings().environmentSamples),
-            .lightSamples = o.lightSamples.value_or(Settings().lightSamples),
-            .background = background.kind,
-            .backgroundColor = background.color,
-            .path = o.path == "deferred" ? RenderPath::deferred : RenderPath::forward,
-            .layers = !o.layers.empty()};
+    Settings settings = {.methods = methods,
+                         .width = size.x,
+                         .height = size.y,
+                         .samples = o.samples,
+                         .environmentSamples = o.environmentSamples.value_or(Settings().environmentSamples),
+                         .lightSamples = o.lightSamples.value_or(Settings().lightSamples),
+                         .background = background.kind,
+                         .backgroundColor = background.color,
+                         .path = o.path == "deferred" ? RenderPath::deferred : RenderPath::forward,
+                         .layers = !o.layers.empty()};
+    chooseView(o.view, o.output, settings);
+    return settings;
 }
 
 // What all pictures of one run share.
 struct Session
 {
     const Options& options;
-    Phases phases; // before what is timed
+    bool resultOnStandardOutput; // picture or JSON: nothing else may go there
+    Phases phases;               // before what is timed
     Settings settings;
     std::optional<Environment> environment;
     gpu::Device device;
@@ -122,7 +132,7 @@ struct Session
     Renderer renderer;
 
     Session(const Options& o, const GlobalOptions& global)
-        : options(o), settings(settingsOf(o)),
+        : options(o), resultOnStandardOutput(o.output.pattern == "-" || global.json == "-"), settings(settingsOf(o)),
           environment(
               phases.time("environment", [&] { return loadChosenEnvironment(o.environment, settings.methods); })),
           device(phases.time("device", [&] { return openDevice(o.device, global); })),
@@ -131,36 +141,53 @@ struct Session
     }
 };
 
+// To standard output, unless a result goes there.
+void sayBeside(const Session& session, const std::string& text)
+{
+    session.resultOnStandardOutput ? logInfo(text) : writeStandardOutput(text);
+}
+
 Json draw(Session& session, const std::string& input, const std::string& output)
 {
     Phases& phases = session.phases;
     LoadedScene loaded = phases.time("load", [&] { return loadChosenScene(session.options.scene, input); });
     Scene& scene = loaded.scene;
+    addChosenLights(session.options.light, session.settings.methods, scene);
     scene.environment = session.environment;
     const double aspect = double(session.settings.width) / session.settings.height;
     const Camera camera = chooseCamera(cameraOptionsFor(session.options.camera, input), scene, aspect);
     const ShadingPlan plan = phases.time("plan", [&] { return makePlan(scene, session.settings); });
     if (session.options.explain)
-        (output == "-" || session.options.output.pattern == "-") ? logInfo(explain(plan))
-                                                                 : writeStandardOutput(explain(plan));
+        sayBeside(session, explain(plan));
     const DeviceScene deviceScene = phases.time("upload", [&] { return session.renderer.upload(scene, plan); });
     ProgressLine progress(input);
-    const Picture picture = phases.time("draw", [&] {
+    Picture picture = phases.time("draw", [&] {
         return session.renderer.render(deviceScene, camera, [&](int done, int all) { progress.show(done, all); });
     });
     progress.clear();
-    const auto files = phases.time("write", [&] {
-        return writeWithLayers(output, picture, session.options.layers, writeSettings(session.options.output));
-    });
+    WriteSettings write = writeSettings(session.options.output, session.settings.methods);
+    ViewScale viewScale;
+    if (const View* view = session.settings.view) {
+        ShownView shown = showView(*view, picture.color, isSceneLinear(imageFormatOf(output)));
+        picture.color = std::move(shown.picture);
+        viewScale = shown.scale;
+        write.tone = findToneCurve("none");
+        sayBeside(session, fmt::format("{}: {} * {} + {}\n", output, viewScale.factor, view->id, viewScale.offset));
+    }
+    const auto files =
+        phases.time("write", [&] { return writeWithLayers(output, picture, session.options.layers, write); });
     Json::Array written(files.begin(), files.end());
-    return Json::Object{{"input", input},
-                        {"output", output},
-                        {"files", written},
-                        {"width", session.settings.width},
-                        {"height", session.settings.height},
-                        {"samples", session.settings.samples},
-                        {"triangles", loaded.facts.triangles},
-                        {"warnings", Json::Array(loaded.warnings.begin(), loaded.warnings.end())}};
+    Json::Object result = {{"input", input},
+                           {"output", output},
+                           {"files", written},
+                           {"width", session.settings.width},
+                           {"height", session.settings.height},
+                           {"samples", session.settings.samples},
+                           {"triangles", loaded.facts.triangles},
+                           {"warnings", Json::Array(loaded.warnings.begin(), loaded.warnings.end())}};
+    if (session.settings.view)
+        result.emplace_back("view", viewAsJson(session.settings, viewScale));
+    return result;
 }
 
 ExitCode run(const Options& options, const GlobalOptions& global)

@@ -11,7 +11,6 @@
 #include <cmath>
 
 namespace torrance {
-namespace {
 
 std::string listed(const std::vector<std::string>& names)
 {
@@ -27,6 +26,8 @@ int hexDigit(char c)
     const std::size_t at = digits.find(static_cast<char>(std::tolower(static_cast<unsigned char>(c))));
     return at == std::string_view::npos ? -1 : static_cast<int>(at);
 }
+
+namespace {
 
 /// Empty where `value` is known: what CLI11 expects of a validator.
 std::string problemWith(const std::string& value, const std::vector<std::string>& known)

@@ -18,6 +18,9 @@ namespace torrance {
 CLI::Option* addChoice(CLI::App& app, const std::string& name, std::string& value, std::vector<std::string> known,
                        const std::string& description);
 
+/// "a, b, c".
+std::string listed(const std::vector<std::string>& names);
+
 /// Between `least` and `most` finite numbers separated by commas; an Error (usage) names the option.
 std::vector<double> parseNumbers(const std::string& option, const std::string& text, std::size_t least,
                                  std::size_t most);

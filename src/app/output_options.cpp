@@ -83,16 +83,14 @@ std::vector<std::string> outputNames(const OutputOptions& options, const std::ve
     return names;
 }
 
-WriteSettings writeSettings(const OutputOptions& options)
+WriteSettings writeSettings(const OutputOptions& options, const brdf::Preset& methods)
 {
     WriteSettings settings;
     settings.exposure = options.exposure.value_or(settings.exposure);
     settings.bitsPerChannel = options.bits.value_or(settings.bitsPerChannel);
     settings.quality = options.quality.value_or(settings.quality);
-    if (!options.tone.empty())
-        settings.tone = findToneCurve(options.tone);
-    if (!options.transfer.empty())
-        settings.transfer = findTransferCurve(options.transfer);
+    settings.tone = findToneCurve(options.tone.empty() ? methods.tone : options.tone);
+    settings.transfer = findTransferCurve(options.transfer.empty() ? methods.transfer : options.transfer);
     return settings;
 }
 

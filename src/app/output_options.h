@@ -1,6 +1,7 @@
 // How a picture leaves the program.
 #pragma once
 
+#include "brdf/method.h"
 #include "files/image_write.h"
 
 #include <optional>
@@ -29,6 +30,7 @@ void declareOutputOptions(CLI::App& app, OutputOptions& options);
 /// given that means nothing to it.
 std::vector<std::string> outputNames(const OutputOptions& options, const std::vector<std::string>& inputs);
 
-WriteSettings writeSettings(const OutputOptions& options);
+/// Tone and transfer curves are the preset's where none is given.
+WriteSettings writeSettings(const OutputOptions& options, const brdf::Preset& methods);
 
 } // namespace torrance

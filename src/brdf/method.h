@@ -126,6 +126,11 @@ struct Preset
     const Method* specularAntialiasing;
     ModelOptions options = {}; // those that the model does not have are not read
 
+    // What belongs to a source beside its formulas, unless something else is asked for.
+    std::string_view tone = "khronos_neutral";
+    std::string_view transfer = "srgb";
+    std::string_view light = {}; // as on the command line, for scenes without any
+
     const Method* operator[](Slot slot) const; // null for tone and transfer
     const Method*& operator[](Slot slot);      // throws std::out_of_range for tone and transfer
 };

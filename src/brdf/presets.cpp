@@ -43,7 +43,7 @@ Preset standard()
 }
 
 // A source system: a model that brings all its terms, lit by punctual lights alone.
-Preset source(std::string_view id, std::string_view description, std::string_view model)
+Preset source(std::string_view id, std::string_view description, std::string_view model, std::string_view light)
 {
     Preset preset = {};
     preset.id = id;
@@ -51,6 +51,21 @@ Preset source(std::string_view id, std::string_view description, std::string_vie
     preset.model = known(Slot::model, model);
     preset.areaLight = known(Slot::areaLight, "point"); // their lights have no size
     preset.specularAntialiasing = known(Slot::specularAntialiasing, "none");
+    preset.light = light;
+    return preset;
+}
+
+// A diffuse term with 1/pi in it, and one without, look alike under these.
+constexpr std::string_view kLamp = "directional:direction=-1,1.2,0.8,intensity=3";
+constexpr std::string_view kLampWithoutPi = "directional:direction=-1,1.2,0.8,intensity=1";
+
+// c / (c + 1), then the power 1/2.2; a lamp of intensity 30, here at three metres.
+Preset ue4Direct()
+{
+    Preset preset = source("ue4-direct", "source A: textured Cook-Torrance for punctual lights, after Karis 2013",
+                           "ue4_direct", "constant:direction=-1,1.2,0.8,distance=3,intensity=30");
+    preset.tone = "reinhard";
+    preset.transfer = "gamma22";
     return preset;
 }
 
@@ -116,16 +131,16 @@ std::span<const Preset> allPresets()
     static const Preset presets[] = {
         standard(),
         gltf(),
-        source("ue4-direct", "source A: textured Cook-Torrance for punctual lights, after Karis 2013", "ue4_direct"),
-        source("phong", "source B: ambient, diffuse and a power of the mirrored light", "phong"),
+        ue4Direct(),
+        source("phong", "source B: ambient, diffuse and a power of the mirrored light", "phong", kLampWithoutPi),
         source("cook-torrance-beckmann", "source B: Cook & Torrance 1982 with Beckmann's distribution",
-               "cook_torrance_beckmann"),
-        source("ggx-burley", "source B: GGX with Burley's diffuse, f0 = 0.5, no (1 - F)", "ggx_burley"),
+               "cook_torrance_beckmann", kLamp),
+        source("ggx-burley", "source B: GGX with Burley's diffuse, f0 = 0.5, no (1 - F)", "ggx_burley", kLamp),
         source("schlick-beckmann", "source C: GGX, Schlick's G with k = alpha/2, Lambert under 1 - F",
-               "schlick_beckmann"),
-        source("smith-r", "source D: GGX, Smith's G1 with r in place of alpha, diffuse n.l", "smith_r"),
+               "schlick_beckmann", kLamp),
+        source("smith-r", "source D: GGX, Smith's G1 with r in place of alpha, diffuse n.l", "smith_r", kLampWithoutPi),
         source("torrance-sparrow-blinn", "source E: Blinn's D in V-grooves, between dielectric, metal and Lambert",
-               "torrance_sparrow_blinn"),
+               "torrance_sparrow_blinn", kLamp),
     };
     return presets;
 }

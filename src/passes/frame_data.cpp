@@ -84,6 +84,10 @@ shared::Frame makeFrame(const Scene& scene, const ShadingPlan& plan, const Camer
     frame.forward = vec3(forward);
     frame.orthographic = orthographic ? 1.0f : 0.0f;
     frame.environmentFromWorld = mat3(1.0f);
+    if (plan.settings.view) {
+        frame.viewTerm = plan.settings.view->code;
+        frame.viewLight = static_cast<std::uint32_t>(plan.settings.viewLight);
+    }
     if (scene.environment) {
         frame.environmentFromWorld = mat3(glm::transpose(worldFromEnvironment(scene.environment->rotation)));
         frame.environmentIntensity = static_cast<float>(scene.environment->intensity);

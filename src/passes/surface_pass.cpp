@@ -81,7 +81,7 @@ OutputForm formOf(const ShadingPlan& plan, const ShaderKey& key, SurfaceOutput o
     case SurfaceOutput::color:
         break;
     }
-    return {"passes/surface.frag", 1, shadingConstants(plan)};
+    return {plan.settings.view ? "passes/surface_view.frag" : "passes/surface.frag", 1, shadingConstants(plan)};
 }
 
 gpu::PipelineDescription describePipeline(const ShaderKey& key, SurfaceOutput output, const OutputForm& form)

@@ -11,6 +11,8 @@ namespace {
 
 void checkMethods(const ShadingPlan& plan)
 {
+    if (plan.settings.view)
+        throw usageError("the deferred path draws no view of a term", "use --path forward");
     const brdf::Method* method = plan.settings.methods.specularAntialiasing;
     if (method && method->id != "none")
         throw usageError("the deferred path cannot use the specular antialiasing " + std::string(method->id) +

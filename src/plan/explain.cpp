@@ -42,6 +42,9 @@ void addDrawn(std::string& text, const ShadingPlan& plan)
     text += "  " + counted(static_cast<std::size_t>(plan.lightCounts[0]), "directional light", "directional lights") +
             ", " + counted(static_cast<std::size_t>(plan.lightCounts[1]), "point light", "point lights") + ", " +
             counted(static_cast<std::size_t>(plan.lightCounts[2]), "spot light", "spot lights") + "\n";
+    for (std::size_t i = 0; i < plan.lights.size(); ++i) // as --view-light counts them
+        text += "  light " + std::to_string(i) + ": " +
+                (plan.lights[i].name.empty() ? "unnamed" : plan.lights[i].name) + "\n";
     text += std::string("  environment: ") + (plan.environmentLight ? "lights the scene" : "lights nothing") +
             (plan.panorama ? ", is seen behind it" : ", is not seen") + "\n";
     text +=

@@ -70,6 +70,11 @@ bool isMesh(SurfaceKind kind)
     return kind != SurfaceKind::sphere && kind != SurfaceKind::plane;
 }
 
+bool viewsTable(const ShadingPlan& plan)
+{
+    return plan.settings.view && plan.settings.view->subject == ViewSubject::table;
+}
+
 } // namespace
 
 std::string selectedText(const ShadingPlan& plan, const ShaderKey& key)
@@ -95,7 +100,7 @@ std::string selectedText(const ShadingPlan& plan, const ShaderKey& key)
     if (lit && plan.environmentLight)
         defineEnvironment(text, plan.settings.methods);
     const bool lightsReadAlbedo = lit && readsAlbedo(plan.settings.methods, key.compensates) && !plan.lights.empty();
-    const bool table = lit && (plan.environmentLight || lightsReadAlbedo);
+    const bool table = lit && (plan.environmentLight || lightsReadAlbedo || viewsTable(plan));
     define(text, "DFG_TABLE", table);
     if (const brdf::Method* dfg = plan.settings.methods.dfg; table && !brdf::findDfgTable(dfg->id))
         text += "#include \"" + brdf::glslPath(*dfg) + "\"\n#define DFG_FIT " + brdf::functionName(*dfg) + "\n";

@@ -3,6 +3,7 @@
 
 #include "brdf/method.h"
 #include "math/vector.h"
+#include "plan/view.h"
 
 namespace torrance {
 
@@ -31,7 +32,9 @@ struct Settings
     BackgroundKind background = BackgroundKind::environment;
     dvec3 backgroundColor = dvec3(0.0); // scene-linear
     RenderPath path = RenderPath::forward;
-    bool layers = false; // surface parameters as pictures of their own
+    const View* view = nullptr; // a term instead of the colour; null: the colour
+    int viewLight = 0;          // of ShadingPlan::lights
+    bool layers = false;        // surface parameters as pictures of their own
 };
 
 } // namespace torrance

@@ -1,5 +1,6 @@
 #include "plan/shading_plan.h"
 
+#include "brdf/environment.h"
 #include "core/error.h"
 #include "plan/compensation.h"
 #include "plan/deferred_plan.h"
@@ -267,6 +268,35 @@ void Planner::planAreaLights()
     }
 }
 
+[[noreturn]] void refuseView(const View& view, const std::string& lack, const std::string& remedy)
+{
+    throw usageError("the view of " + std::string(view.id) + " needs " + lack, remedy);
+}
+
+// A view of what the scene or the preset does not have is no black picture but an error.
+void checkView(const ShadingPlan& plan)
+{
+    const View* view = plan.settings.view;
+    if (!view)
+        return;
+    const brdf::Preset& methods = plan.settings.methods;
+    const bool ofLight = view->subject == ViewSubject::light || view->subject == ViewSubject::model;
+    if (ofLight && plan.settings.viewLight >= static_cast<int>(plan.lights.size()))
+        refuseView(*view,
+                   "light " + std::to_string(plan.settings.viewLight) + ", and there are " +
+                       std::to_string(plan.lights.size()),
+                   "add one with --light, or choose another with --view-light");
+    if (view->subject == ViewSubject::model && methods.model->id == "phong")
+        refuseView(*view, "a microfacet model, which phong is not", "look at specular, diffuse or brdf");
+    if (view->subject == ViewSubject::environment && !plan.environmentLight)
+        refuseView(*view, "light from an environment", "give --environment, and a preset that defines it");
+    if (view->id == "prefiltered" && brdf::drawsSamples(*methods.environmentSpecular))
+        refuseView(*view, "prefiltered light, which " + std::string(methods.environmentSpecular->id) + " does without",
+                   "use --environment-specular split_sum");
+    if (view->subject == ViewSubject::table && !methods.dfg)
+        refuseView(*view, "a preset with directional albedos", "use --preset standard");
+}
+
 void Planner::planLighting()
 {
     bool lit = false, compensates = false;
@@ -287,12 +317,15 @@ void Planner::planLighting()
     const bool hasEnvironment = scene.environment && scene.environment->intensity > 0.0;
     plan.environmentLight = hasEnvironment && lit;
     plan.panorama = hasEnvironment && plan.settings.background == BackgroundKind::environment;
-    plan.dfgTable =
-        plan.environmentLight || (lit && readsAlbedo(plan.settings.methods, compensates) && !plan.lights.empty());
+    const bool viewsTable = plan.settings.view && plan.settings.view->subject == ViewSubject::table;
+    plan.dfgTable = plan.environmentLight ||
+                    (lit && readsAlbedo(plan.settings.methods, compensates) && !plan.lights.empty()) ||
+                    (lit && viewsTable);
     if (hasEnvironment && !lit)
         plan.remarks.push_back({"environment", "not prefiltered", "no surface is lit"});
     if (hasEnvironment && !plan.panorama)
         plan.remarks.push_back({"environment", "not drawn", "another background was asked for"});
+    checkView(plan);
     checkLobe(plan);
     if (plan.environmentLight && brdf::isComposed(plan.settings.methods) &&
         plan.settings.methods.diffuse->id != "lambert")

@@ -105,15 +105,22 @@ PixelInputs pixelInputs(const Scene& scene, int shape, const Camera& camera, int
     return inputs;
 }
 
-std::optional<dvec3> pixelRadiance(const brdf::Preset& preset, const PixelInputs& inputs)
+std::optional<PixelSurface> pixelSurface(const PixelInputs& inputs)
 {
     const Ray ray = unitRay(inputs);
     const std::optional<ShapeHit> met = meet(inputs);
     if (!met)
         return std::nullopt;
+    return PixelSurface{materialPointOf(inputs.material, *met, ray), met->position, -ray.direction};
+}
+
+std::optional<dvec3> pixelRadiance(const brdf::Preset& preset, const PixelInputs& inputs)
+{
+    const std::optional<PixelSurface> surface = pixelSurface(inputs);
+    if (!surface)
+        return std::nullopt;
     const Illumination illumination{inputs.lights, inputs.uniformRadiance};
-    return shade(preset, illumination, materialPointOf(inputs.material, *met, ray), dvec3(0.0), met->position,
-                 -ray.direction);
+    return shade(preset, illumination, surface->material, dvec3(0.0), surface->position, surface->view);
 }
 
 bool coverageIsDecided(const PixelInputs& inputs)
@@ -126,20 +133,24 @@ bool coverageIsDecided(const PixelInputs& inputs)
     return true;
 }
 
-dvec3 pixelCondition(const brdf::Preset& preset, const PixelInputs& inputs)
+dvec3 pixelCondition(const PixelFormula& formula, const PixelInputs& inputs)
 {
     if (!coverageIsDecided(inputs))
         return dvec3(std::numeric_limits<double>::infinity());
-    const dvec3 here = pixelRadiance(preset, inputs).value_or(dvec3(0.0));
+    const dvec3 here = formula(inputs).value_or(dvec3(0.0));
     dvec3 sum(0.0);
     for (const Move& move : allMoves(inputs)) {
         dvec3 change(0.0);
         for (const double step : kSteps)
-            change = glm::max(change,
-                              glm::abs(pixelRadiance(preset, moved(inputs, move, step)).value_or(dvec3(0.0)) - here));
+            change = glm::max(change, glm::abs(formula(moved(inputs, move, step)).value_or(dvec3(0.0)) - here));
         sum += change;
     }
     return sum;
+}
+
+dvec3 pixelCondition(const brdf::Preset& preset, const PixelInputs& inputs)
+{
+    return pixelCondition([&](const PixelInputs& p) { return pixelRadiance(preset, p); }, inputs);
 }
 
 } // namespace torrance

@@ -3,6 +3,7 @@
 
 #include "reference/shade.h"
 
+#include <functional>
 #include <optional>
 #include <vector>
 
@@ -26,6 +27,18 @@ PixelInputs pixelInputs(const Scene& scene, int shape, const Camera& camera, int
 /// What the pixel shows; nothing where the ray misses the shape.
 std::optional<dvec3> pixelRadiance(const brdf::Preset& preset, const PixelInputs& inputs);
 
+/// The surface that the pixel shows: what a shading term is computed from.
+struct PixelSurface
+{
+    MaterialPoint material;
+    dvec3 position = dvec3(0.0); // relative to the camera
+    dvec3 view = dvec3(0.0);     // unit, towards the camera
+};
+std::optional<PixelSurface> pixelSurface(const PixelInputs& inputs);
+
+/// Any value of a pixel; nothing where the ray misses.
+using PixelFormula = std::function<std::optional<dvec3>(const PixelInputs&)>;
+
 /// kInputRounding of a number's size is what rounding it to float may change. A vector's components count by the
 /// vector's length, because a rotation spreads its rounding over all of them.
 inline constexpr double kInputRounding = 5.9604644775390625e-08; // 2^-24
@@ -37,6 +50,8 @@ bool coverageIsDecided(const PixelInputs& inputs);
 /// the shape's place, axes and radius, the lights' places, directions, ranges and cones, the roughness. This is kappa
 /// 2^-24 |c| of the pixel as a whole, geometry included; near a silhouette it grows without bound. Infinite where
 /// coverageIsDecided is false, 0 where the ray misses.
+dvec3 pixelCondition(const PixelFormula& formula, const PixelInputs& inputs);
+/// The same of pixelRadiance.
 dvec3 pixelCondition(const brdf::Preset& preset, const PixelInputs& inputs);
 
 } // namespace torrance

@@ -1,7 +1,9 @@
 // The source systems on the command line: what beside them would have no meaning is refused in one line.
 #include "program.h"
 
+#include <fstream>
 #include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
 
 namespace torrance::test {
 namespace {
@@ -44,6 +46,40 @@ TEST_F(Sources, RefuseAnEnvironmentThatTheyDoNotDefine)
 {
     refused({"--preset", "ue4-direct", "--environment", "studio"}, "--environment none");
     refused({"--preset", "ue4-direct", "--environment-intensity", "2"}, "nothing to turn or to scale");
+}
+
+TEST_F(Sources, RefuseLightsThatAreNone)
+{
+    refused({"--light", "cone:direction=0,1,0"}, "constant, directional and point");
+    refused({"--light", "constant:distance=2"}, "direction is missing");
+    refused({"--light", "constant:direction=0,1,0,distance=0"}, "distance");
+    refused({"--light", "directional:direction=0,0,0"}, "no length");
+    refused({"--light", "point:position=1,2"}, "takes 3");
+    refused({"--light", "point:position=1,2,3,shine=2"}, "no shine");
+    refused({"--light", "point:position=1,2,3,intensity=-1"}, "negative");
+}
+
+TEST_F(Sources, RefuseViewsOfWhatIsNotThere)
+{
+    refused({"--view", "D"}, "--light");
+    refused({"--view", "F", "--preset", "phong"}, "phong is not");
+    refused({"--view", "irradiance", "--environment", "none"}, "--environment");
+    refused({"--view", "albedo", "--view-light", "0"}, "--view-light");
+    refused({"--view", "dfg", "--preset", "smith-r"}, "directional albedos");
+    refused({"--view", "albedo", "--tone", "agx"}, "--tone");
+    refused({"--view", "albedo", "--path", "deferred"}, "deferred");
+}
+
+TEST_F(Sources, SayTheScaleOfAView)
+{
+    const Outcome outcome =
+        runTorrance({"render", "demo", "-r", "16x16", "--light", "constant:direction=1,1,1,distance=2,intensity=30",
+                     "--view", "half_vector", "-o", folder.file("h.png"), "--json", folder.file("h.json")});
+    EXPECT_EQ(outcome.exitCode, 0) << outcome.errors;
+    EXPECT_NE(outcome.output.find("0.5 * half_vector + 0.5"), std::string::npos) << outcome.output;
+    std::ifstream file(folder.file("h.json"));
+    const auto view = nlohmann::json::parse(file)["pictures"][0]["view"];
+    EXPECT_EQ(view, (nlohmann::json{{"term", "half_vector"}, {"factor", 0.5}, {"offset", 0.5}, {"light", 0}}));
 }
 
 } // namespace
