@@ -169,10 +169,10 @@ void addPhysicsLines(std::vector<std::string>& lines, const MethodVerdict& verdi
 {
     const Slot slot = verdict.method->slot;
     if (verdict.gainsEnergy.cells > 0)
-        lines.push_back(fmt::format("gains energy: {:.4g} comes back of 1, {}.", verdict.energy,
+        lines.push_back(fmt::format("gains energy: {:.4f} comes back of 1, {}.", verdict.energy,
                                     extentText(verdict.gainsEnergy, verdict.physicsAxes, slot)));
     else if (verdict.energy > 0)
-        lines.push_back(fmt::format("energy: at most {:.4g} comes back of 1.", verdict.energy));
+        lines.push_back(fmt::format("energy: at most {:.4f} comes back of 1.", verdict.energy));
     if (verdict.notReciprocal.cells > 0)
         lines.push_back(fmt::format("not reciprocal: f(v, l) and f(l, v) differ by {:.3g}, {}.", verdict.reciprocity,
                                     extentText(verdict.notReciprocal, verdict.physicsAxes, slot)));

@@ -1,5 +1,6 @@
 #include "study/sweep_points.h"
 
+#include "brdf/fresnel.h"
 #include "brdf/lobe_albedo.h"
 #include "study/rounded_point.h"
 
@@ -93,6 +94,11 @@ std::vector<ShadingPoint> fresnelPoints(double VoH, double ior)
     metal.k = {3.4, 2.0, 3.0};
     const auto square = [](const dvec3& x) { return x * x; };
     metal.f0 = (square(metal.eta - 1.0) + square(metal.k)) / (square(metal.eta + 1.0) + square(metal.k));
+    ShadingPoint at82 = fresnelPoint(1.0 / 7.0, ior);
+    at82.eta = metal.eta;
+    at82.k = metal.k;
+    at82.f0 = metal.f0;
+    metal.f82 = brdf::F_exact_conductor(at82) / brdf::F_schlick(at82);
     return {dielectric, metal};
 }
 

@@ -74,6 +74,16 @@ TEST(SweepPoints, GiveFresnelTermsTheSurfaceOfTheirIndex)
     EXPECT_NEAR(points[1].f0.z, (1.9 * 1.9 + 9) / (3.9 * 3.9 + 9), 1e-15);
 }
 
+// The tint of f82 is the exact reflectance over Schlick's at the cosine 1/7: there the two terms agree.
+TEST(SweepPoints, GiveMetalsTheirTint)
+{
+    const SweepAxes axes = {.cosines = {1.0 / 7.0, 0.3}, .rows = {1.5}, .leastLight = 0.0};
+    const auto errors =
+        modelErrors(*brdf::findMethod(Slot::fresnel, "f82"), *brdf::findMethod(Slot::fresnel, "exact_conductor"), axes);
+    EXPECT_LT(errors[0].error, 1e-12);
+    EXPECT_GT(errors[1].error, 1e-6);
+}
+
 TEST(ModelError, ResolvesWhatARowApproximates)
 {
     const auto ids = [](Slot slot, std::string_view id) {
