@@ -28,6 +28,7 @@ layout(set = 0, binding = kBindEnvironmentRadiance) uniform samplerCube environm
 #endif
 #include "environment/diffuse.glsl"
 #include "environment/specular.glsl"
+#include "material/dielectric_f0.glsl"
 
 vec3 environmentLight(Surface s, float alpha, vec4 albedo)
 {
@@ -36,7 +37,7 @@ vec3 environmentLight(Surface s, float alpha, vec4 albedo)
     vec3 irradiance = irradianceOverPi(n);
     // What the lobes of glTF's dielectric and metal (shaders/brdf/model/gltf.glsl) reflect once. Their light of many reflections comes from
     // everywhere: it is the irradiance's. The bias of a fit may be negative; a table's is not.
-    const vec3 f0 = vec3(kDielectricF0);
+    vec3 f0 = vec3(dielectricF0(s.ior));
     vec3 once = max(f0 * sums.scale + sums.bias, 0.0);
     vec3 metalOnce = max(s.baseColor * sums.scale + sums.bias, 0.0);
     float mean = averageAlbedo(s.perceptualRoughness);

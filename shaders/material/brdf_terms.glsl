@@ -18,6 +18,7 @@ struct BrdfInput
     float metallic;
     float perceptualRoughness;
     float alpha; // max(perceptualRoughness^2, kMinAlpha)
+    float ior;   // of the dielectric part
     LobeAlbedo lobe;
 };
 

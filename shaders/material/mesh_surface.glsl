@@ -135,6 +135,7 @@ Surface readSurface()
 
     s.perceptualRoughness = material.roughnessFactor;
     s.metallic = material.metallicFactor;
+    s.ior = material.ior;
 #ifdef METALLIC_ROUGHNESS_UV
     vec4 metallicRoughness = texture(metallicRoughnessTexture, METALLIC_ROUGHNESS_UV);
     s.perceptualRoughness *= metallicRoughness.g;

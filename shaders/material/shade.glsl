@@ -30,7 +30,8 @@ BrdfTerms reflectedTerms(Surface s, float alpha, LobeAlbedo lobe, vec3 l)
 #ifdef READS_LIGHT_ALBEDO
     lobe.ELight = directionalAlbedo(clamp(dot(s.normal, l), 0.0, 1.0), s.perceptualRoughness).w;
 #endif
-    return SELECTED_model(BrdfInput(s.normal, s.view, l, s.baseColor, s.metallic, s.perceptualRoughness, alpha, lobe));
+    return SELECTED_model(
+        BrdfInput(s.normal, s.view, l, s.baseColor, s.metallic, s.perceptualRoughness, alpha, s.ior, lobe));
 }
 
 // What one light adds: f(v, l) * irradiance, `irradiance` of a surface that faces the light.

@@ -95,6 +95,7 @@ Surface readSurface()
     s.baseColor = material.baseColorFactor.rgb;
     s.alpha = material.baseColorFactor.a;
     s.metallic = material.metallicFactor;
+    s.ior = material.ior;
     s.perceptualRoughness = material.roughnessFactor;
 #ifdef AA_TOKUYOSHI
     float alpha = max(s.perceptualRoughness * s.perceptualRoughness, kMinAlpha);

@@ -12,6 +12,7 @@ struct Surface
     float alpha;
     float metallic;
     float perceptualRoughness;
+    float ior;       // of the dielectric part
     float occlusion; // 1 = open
     vec3 emissive;
     uvec2 ids; // material, object

@@ -1,6 +1,7 @@
 // The light of the surfaces of one class, whose parameters gbuffer.frag left. Pixels of other classes and empty ones stay as they are.
 #include "selected.glsl"
 #include "shared/bindings.h"
+#include "shared/constants.h"
 #include "shared/frame.h"
 #include "material/direction.glsl"
 #include "material/surface.glsl"
@@ -31,6 +32,7 @@ Surface readGBuffer(ivec2 pixel, vec3 position)
     s.perceptualRoughness = normal.w;
     s.baseColor = baseColor.rgb;
     s.metallic = baseColor.w;
+    s.ior = kDielectricIor; // not kept: the plan refuses others here
     s.emissive = emissive.rgb;
     s.occlusion = emissive.w;
     s.alpha = 1.0;

@@ -21,6 +21,7 @@ struct Material
     float normalScale;
     float occlusionStrength;
     float alphaCutoff;
+    float ior; // of the dielectric part
     UvTransform baseColorUv;
     UvTransform metallicRoughnessUv;
     UvTransform normalUv;

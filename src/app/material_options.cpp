@@ -2,7 +2,7 @@
 
 #include "app/option_value.h"
 #include "files/map_folder.h"
-#include "image/srgb.h"
+#include "scene/named_material.h"
 
 #include <CLI/CLI.hpp>
 
@@ -41,11 +41,16 @@ Material mapsMaterial(const MaterialOptions& options, LoadedScene& loaded)
     return material;
 }
 
-Material plainMaterial()
+Material startingMaterial(const MaterialOptions& options, LoadedScene& loaded)
 {
+    if (!options.maps.empty())
+        return mapsMaterial(options, loaded);
     Material material;
-    material.baseColorFactor = dvec4(dvec3(kBaseColor), 1.0);
-    material.metallicFactor = 0.0;
+    if (options.named.empty()) {
+        material.baseColorFactor = dvec4(dvec3(kBaseColor), 1.0);
+        material.metallicFactor = 0.0;
+    } else
+        material = materialOf(*findNamedMaterial(options.named));
     material.roughnessFactor = kRoughness;
     return material;
 }
@@ -64,6 +69,10 @@ void ensureCoordinates(Primitive& primitive, LoadedScene& loaded)
 void declareMaterialOptions(CLI::App& app, MaterialOptions& options)
 {
     const char* group = "Material";
+    std::vector<std::string> names;
+    for (const NamedMaterial& material : namedMaterials())
+        names.emplace_back(material.name);
+    addChoice(app, "--material", options.named, names, "Everything is made of")->group(group);
     app.add_option(
            "--maps", options.maps,
            "Folder of a material's maps, told by their names (..._Color, ..._Roughness, ..._NormalGL): everything "
@@ -80,15 +89,17 @@ void declareMaterialOptions(CLI::App& app, MaterialOptions& options)
 
 bool choosesMaterial(const MaterialOptions& o)
 {
-    return !o.maps.empty() || !o.baseColor.empty() || o.metallic || o.roughness;
+    return !o.named.empty() || !o.maps.empty() || !o.baseColor.empty() || o.metallic || o.roughness;
 }
 
 void applyMaterial(const MaterialOptions& options, LoadedScene& loaded)
 {
+    if (!options.named.empty() && !options.maps.empty())
+        throw usageError("--material and --maps exclude each other", "give one of them");
     Scene& scene = loaded.scene;
     scene.images.clear();
     scene.textures.clear();
-    Material material = options.maps.empty() ? plainMaterial() : mapsMaterial(options, loaded);
+    Material material = startingMaterial(options, loaded);
     if (!options.baseColor.empty())
         material.baseColorFactor = dvec4(parseBaseColor(options.baseColor), 1.0);
     if (options.metallic)

@@ -14,6 +14,7 @@ namespace torrance {
 
 struct MaterialOptions
 {
+    std::string named;               // of namedMaterials; empty = none
     std::string maps;                // a folder; empty = none
     std::string baseColor;           // #RRGGBB (sRGB) or three linear numbers
     std::optional<double> metallic;  // 0 to 1, times the map where there is one

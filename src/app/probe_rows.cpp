@@ -3,6 +3,8 @@
 #include "core/error.h"
 #include "files/csv_read.h"
 
+#include <algorithm>
+#include <cmath>
 #include <fmt/format.h>
 
 namespace torrance {
@@ -38,7 +40,7 @@ public:
         if (v == dvec3(0))
             throw inputError(file, place(row, name + "x " + name + "y " + name + "z"), "is a vector of zero length",
                              "give a direction");
-        return v;
+        return v / std::max({std::abs(v.x), std::abs(v.y), std::abs(v.z)}); // whose square no double overflows
     }
 
     dvec3 color(std::size_t row, const std::string& name) const

@@ -19,6 +19,7 @@ ShadingPoint litFrom(const AreaQuery& query, const dvec3& l)
     ShadingPoint point = makeShadingPoint(surface.n, surface.v, l, surface.perceptualRoughness);
     point.baseColor = surface.baseColor;
     point.metallic = surface.metallic;
+    point.ior = surface.ior;
     return point;
 }
 

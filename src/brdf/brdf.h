@@ -11,10 +11,10 @@ inline constexpr double kDielectricF0 = 0.04;
 inline constexpr double kDielectricIor = 1.5;
 
 /// All terms at a point; zero where v or l is not above the surface, but for a source that says otherwise (phong).
-/// Reads baseColor, metallic and what the methods need of the geometry; f0, f90, f82, the albedos, what the interface
-/// reflects and the alphas of both axes are set here (f82 to white, for a glTF metal has one colour; E to
-/// lobeAlbedo(NoV, r); the alphas to alpha). Of the model `gltf` the Fresnel term must be one of a reflectance
-/// (Interface): a metal's base colour gives no index. Otherwise an Error (usage) says so.
+/// Reads baseColor, metallic, ior (of the dielectric part) and what the methods need of the geometry; f0, f90, f82, the
+/// albedos, what the interface reflects and the alphas of both axes are set here (f82 to white, for a glTF metal has
+/// one colour; E to lobeAlbedo(NoV, r); the alphas to alpha). Of the model `gltf` the Fresnel term must be one of a
+/// reflectance (Interface): a metal's base colour gives no index. Otherwise an Error (usage) says so.
 BrdfTerms evaluateTerms(const Preset& preset, const ShadingPoint& point);
 
 /// BRDF in 1/sr per colour channel: evaluateTerms(...).brdf. What multiplies the light is

@@ -1,6 +1,7 @@
 #include "brdf/brdf.h"
 #include "brdf/lobe_albedo.h"
 #include "brdf/model.h"
+#include "scene/phong.h"
 
 #include <algorithm>
 
@@ -85,8 +86,9 @@ BrdfTerms model_gltf(const Preset& preset, const ShadingPoint& point)
     lobe.single = specular * metalF;
     const dvec3 metal = color(*preset.multipleScattering, lobe);
 
-    // Appendix B: dielectric_brdf = fresnel_mix(1.5, diffuse, specular)
-    lobe.f0 = dvec3(kDielectricF0);
+    // Appendix B: dielectric_brdf = fresnel_mix(1.5, diffuse, specular); KHR_materials_ior in place of 1.5
+    const dvec3 dielectricF0(reflectanceOfIor(point.ior));
+    lobe.f0 = dielectricF0;
     const dvec3 F = color(*preset.fresnel, lobe);
     lobe.single = specular * F;
     const dvec3 reflected = color(*preset.multipleScattering, lobe);
@@ -94,7 +96,7 @@ BrdfTerms model_gltf(const Preset& preset, const ShadingPoint& point)
     const dvec3 body = color(*preset.diffuse, lobe) * color(*preset.diffuseWeight, lobe);
 
     const double m = point.metallic;
-    terms.F0 = dvec3(kDielectricF0) * (1.0 - m) + point.baseColor * m;
+    terms.F0 = dielectricF0 * (1.0 - m) + point.baseColor * m;
     terms.F = F * (1.0 - m) + metalF * m;
     terms.specular = reflected * (1.0 - m) + metal * m;
     terms.diffuse = body * (1.0 - m);

@@ -29,6 +29,8 @@ public:
             material.emissiveFactor = color(from.values.emission, kNoLimit, "Ke");
         else if (from.has("map_Ke"))
             material.emissiveFactor = dvec3(1.0);
+        if (from.has("Ni") && from.values.ior > 1.0)
+            material.ior = from.values.ior;
         setOpacity(material);
         warnOfUndrawn();
         return material;

@@ -17,7 +17,8 @@ Material plainMaterial();
 /// Pr the roughness is that of a highlight of exponent Ns (perceptualRoughnessOfShininess), and 1 where there is no
 /// highlight: Ns is missing, Ks is black or illum is 0 or 1. Without Pm it is 0. Base colour is Kd, linear. Where a map
 /// stands without its value, the value is 1. Sheen, coat and anisotropy are warned of. Values out of range are clamped
-/// with a warning.
+/// with a warning. Ni above 1 is the dielectric's index of refraction; 1, which exporters write for want of one, is
+/// none.
 Material materialOfMtl(const MtlMaterial& from, LoadReport& report);
 
 } // namespace torrance

@@ -131,6 +131,7 @@ std::vector<shared::Material> makeMaterials(const ShadingPlan& plan)
                              .normalScale = static_cast<float>(m.normalScale),
                              .occlusionStrength = static_cast<float>(m.occlusionStrength),
                              .alphaCutoff = static_cast<float>(m.alphaCutoff),
+                             .ior = static_cast<float>(m.ior),
                              .baseColorUv = uvTransform(m.baseColor),
                              .metallicRoughnessUv = uvTransform(m.metallicRoughness),
                              .normalUv = uvTransform(m.normal),

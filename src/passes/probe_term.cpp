@@ -100,7 +100,8 @@ ProbeTerm makeBrdfTerm(const brdf::Preset& preset)
             .selected =
                 brdf::selectedGlsl(preset) +
                 "#define PROBE_VALUE SELECTED_model(BrdfInput(row.n, row.v, row.l, row.baseColor, row.metallic, "
-                "row.perceptualRoughness, row.alpha, LobeAlbedo(row.E, row.bias, row.ELight, row.EAverage))).brdf\n",
+                "row.perceptualRoughness, row.alpha, row.ior, LobeAlbedo(row.E, row.bias, row.ELight, "
+                "row.EAverage))).brdf\n",
             .readsAlbedo = brdf::isComposed(preset) &&
                            (preset.multipleScattering->readsAlbedo || preset.diffuseWeight->readsAlbedo)};
 }

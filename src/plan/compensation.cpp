@@ -42,9 +42,9 @@ double compensationGain(const MaterialRange& range)
     double gain = 0;
     for (int c = 0; c < 3; ++c) {
         const double f0 =
-            brdf::kDielectricF0 * (1.0 - metallic) + std::clamp(range.greatestBaseColor[c], 0.0, 1.0) * metallic;
+            range.dielectricF0 * (1.0 - metallic) + std::clamp(range.greatestBaseColor[c], 0.0, 1.0) * metallic;
         const double diffuse =
-            (1.0 - metallic) * std::clamp(range.greatestBaseColor[c], 0.0, 1.0) * (1.0 - brdf::kDielectricF0);
+            (1.0 - metallic) * std::clamp(range.greatestBaseColor[c], 0.0, 1.0) * (1.0 - range.dielectricF0);
         double added = 0, whole = 0;
         for (std::size_t i = 0; i < kViews.size(); ++i) {
             const brdf::AlbedoTerms& terms = row.terms[i];

@@ -20,6 +20,14 @@ void checkMethods(const ShadingPlan& plan)
                          "use --path forward, or --specular-antialiasing none");
 }
 
+void checkMaterials(const ShadingPlan& plan)
+{
+    for (const PlannedMaterial& planned : plan.materials)
+        if (planned.material.ior != Material{}.ior)
+            throw usageError("the deferred path has no room for the index of refraction of " + planned.material.name,
+                             "use --path forward, or a material of index 1.5");
+}
+
 } // namespace
 
 ShaderKey lightingClass(const ShaderKey& key)
@@ -31,6 +39,7 @@ ShaderKey lightingClass(const ShaderKey& key)
 void planDeferred(ShadingPlan& plan)
 {
     checkMethods(plan);
+    checkMaterials(plan);
     std::set<ShaderKey> classes;
     for (const Batch& batch : plan.batches)
         classes.insert(lightingClass(batch.key));

@@ -1,6 +1,7 @@
 #include "plan/material_plan.h"
 
 #include "image/srgb.h"
+#include "scene/phong.h"
 
 #include <algorithm>
 #include <optional>
@@ -163,6 +164,7 @@ PlannedMaterial planMaterial(const Scene& scene, const Material& material, std::
         return planned;
     }
     reduceMetallicRoughness(m, planned.range, reducer);
+    planned.range.dielectricF0 = reflectanceOfIor(m.ior);
     reduceNormal(m, reducer);
     reduceOcclusion(m, reducer);
     reduceEmissive(m, reducer);

@@ -14,6 +14,7 @@ struct MaterialRange
 {
     double leastRoughness = 0, greatestRoughness = 1; // perceptual
     double greatestMetallic = 1;
+    double dielectricF0 = 0.04;           // reflectance at normal incidence
     dvec3 greatestBaseColor = dvec3(1.0); // linear
 };
 

@@ -69,6 +69,7 @@ MaterialPoint makeMaterialPoint(const Scene& scene, const SurfacePoint& surface)
         material.emissiveFactor * dvec3(sampleUse(scene, material.emissive, surface.uvs, ColorSpace::srgb));
     point.normal = bendNormal((surface.front ? 1.0 : -1.0) * mappedNormal(scene, material, surface), surface.view);
     point.unlit = material.unlit;
+    point.ior = material.ior;
     return point;
 }
 

@@ -16,6 +16,7 @@ struct MaterialPoint
     double alpha = 1.0; // coverage: 1 where the material is opaque; 0 or 1 where it is masked
     double metallic = 1.0;
     double perceptualRoughness = 1.0;
+    double ior = 1.5;       // of the dielectric part
     double occlusion = 1.0; // share of the environment's light that arrives
     dvec3 emissive = dvec3(0.0);
     dvec3 normal = dvec3(0.0, 0.0, 1.0); // unit, normal-mapped, n.v >= kMinNoV

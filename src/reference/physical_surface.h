@@ -33,10 +33,10 @@ private:
 
 /// A metal is a conductor of index 1 + i k with the base colour as its normal reflectance, k = 2 sqrt(r / (1 - r))
 /// (Pharr, Jakob & Humphreys, Physically Based Rendering, 4th edition, ConductorMaterial), with exact Fresnel terms and
-/// random walks between facets of GGX and Smith. A dielectric is an interface of index 1.5, the same way, over a body
-/// of energy-preserving Oren-Nayar of the base colour whose roughness is the perceptual roughness. The body gets what
-/// the interface leaves on the way in and on the way out, (1 - E(v)) (1 - E(l)) / (1 - mean E): reciprocal, and a white
-/// Lambertian body loses nothing (Kelemen & Szirmay-Kalos 2001). Metalness mixes both.
+/// random walks between facets of GGX and Smith. A dielectric is an interface of its material's index, the same way,
+/// over a body of energy-preserving Oren-Nayar of the base colour whose roughness is the perceptual roughness. The body
+/// gets what the interface leaves on the way in and on the way out, (1 - E(v)) (1 - E(l)) / (1 - mean E): reciprocal,
+/// and a white Lambertian body loses nothing (Kelemen & Szirmay-Kalos 2001). Metalness mixes both.
 struct PhysicalSurface
 {
     PhysicalSurface(const InterfaceAlbedo& albedo, const MaterialPoint& material);

@@ -1,6 +1,6 @@
 #include "reference/pixel_estimate.h"
 
-#include "brdf/brdf.h"
+#include "core/error.h"
 #include "reference/shade.h"
 #include "scene/camera_view.h"
 
@@ -18,6 +18,18 @@ double norm1(const dvec4& color)
     return std::abs(color.r) + std::abs(color.g) + std::abs(color.b);
 }
 
+/// Of the materials of a scene, for one table of albedos serves them all.
+double commonIor(const Scene& scene)
+{
+    const double ior = scene.materials.empty() ? Material{}.ior : scene.materials.front().ior;
+    for (const Material& material : scene.materials)
+        if (material.ior != ior)
+            throw usageError("the yardstick physics takes one index of refraction, and " + material.name +
+                                 " has another than " + scene.materials.front().name,
+                             "use --yardstick model");
+    return ior;
+}
+
 } // namespace
 
 /// What lights a surface point from more than one direction, with the point's share of the pixel.
@@ -33,7 +45,7 @@ PixelEstimator::PixelEstimator(const Scene& scene, const Camera& c, const Refere
       offsets(sampleOffsets(s.pixelSamples))
 {
     if (settings.physics)
-        yardstick = &interfaceAlbedo.emplace(brdf::kDielectricIor);
+        yardstick = &interfaceAlbedo.emplace(commonIor(scene));
     for (const Light& light : scene.lights)
         (settings.physics || isSphere(light) ? estimatedLights : exactLights).push_back(light);
     if (!scene.environment)

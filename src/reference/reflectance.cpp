@@ -15,7 +15,7 @@ std::variant<Reflectance::Model, PhysicalSurface> Reflectance::make(const Yardst
     if (const auto* albedo = std::get_if<const InterfaceAlbedo*>(&yardstick))
         return PhysicalSurface(**albedo, material);
     return Model{std::get<const brdf::Preset*>(yardstick), material.baseColor, material.metallic,
-                 material.perceptualRoughness};
+                 material.perceptualRoughness, material.ior};
 }
 
 dvec3 Reflectance::operator()(const dvec3& l, std::uint64_t key) const
@@ -28,6 +28,7 @@ dvec3 Reflectance::operator()(const dvec3& l, std::uint64_t key) const
     brdf::ShadingPoint point = brdf::makeShadingPoint(dvec3(0, 0, 1), view, l, model.perceptualRoughness);
     point.baseColor = model.baseColor;
     point.metallic = model.metallic;
+    point.ior = model.ior;
     return brdf::evaluateTerms(*model.preset, point).response();
 }
 

@@ -27,6 +27,7 @@ private:
         dvec3 baseColor;
         double metallic;
         double perceptualRoughness;
+        double ior;
     };
     static std::variant<Model, PhysicalSurface> make(const Yardstick& yardstick, const MaterialPoint& material);
 

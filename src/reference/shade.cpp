@@ -4,6 +4,7 @@
 #include "brdf/brdf.h"
 #include "brdf/lobe_albedo.h"
 #include "core/error.h"
+#include "scene/phong.h"
 
 #include <algorithm>
 #include <cmath>
@@ -29,8 +30,6 @@ void requireClosedForm(const brdf::Preset& preset)
     require(preset.diffuse, "lambert");
 }
 
-const dvec3 kF0(brdf::kDielectricF0);
-
 /// What the lobe returns of uniform light, multiple scattering included.
 dvec3 furnaceLobe(const brdf::Method& method, const brdf::AlbedoTerms& terms, double perceptualRoughness,
                   const dvec3& f0)
@@ -50,9 +49,8 @@ dvec3 furnaceLobe(const brdf::Method& method, const brdf::AlbedoTerms& terms, do
 }
 
 /// The share of uniform light that the dielectric's interface leaves to a Lambertian body; `lobe` is what it reflects.
-double furnaceWeight(const brdf::Method& method, double NoV, double lobe)
+double furnaceWeight(const brdf::Method& method, double f0, double NoV, double lobe)
 {
-    constexpr double f0 = brdf::kDielectricF0;
     if (method.id == "albedo_scaling")
         return 1.0 - lobe;
     if (method.id == "fresnel_nol_nov") // Schlick's term, and its mean over the light directions
@@ -71,6 +69,7 @@ dvec3 shadePunctual(const brdf::Preset& preset, const MaterialPoint& material, c
         brdf::makeShadingPoint(material.normal, view, light.direction, material.perceptualRoughness);
     point.baseColor = material.baseColor;
     point.metallic = material.metallic;
+    point.ior = material.ior;
     return brdf::evaluateTerms(preset, point).response() * light.irradiance;
 }
 
@@ -82,8 +81,10 @@ dvec3 shadeFurnace(const brdf::Preset& preset, const MaterialPoint& material, co
     const auto specular = [&](const dvec3& f0) {
         return furnaceLobe(*preset.multipleScattering, terms, material.perceptualRoughness, f0);
     };
-    const dvec3 diffuse = material.baseColor * furnaceWeight(*preset.diffuseWeight, NoV, specular(kF0).r);
-    const dvec3 dielectric = diffuse + specular(kF0);
+    const double f0 = reflectanceOfIor(material.ior);
+    const dvec3 reflected = specular(dvec3(f0));
+    const dvec3 dielectric =
+        material.baseColor * furnaceWeight(*preset.diffuseWeight, f0, NoV, reflected.r) + reflected;
     return radiance * (dielectric * (1.0 - material.metallic) + specular(material.baseColor) * material.metallic);
 }
 

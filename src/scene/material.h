@@ -49,6 +49,8 @@ struct Material
     double alphaCutoff = 0.5;
     bool doubleSided = false;
     bool unlit = false; // KHR_materials_unlit: base colour only
+
+    double ior = 1.5; // of the dielectric part: glTF's where nothing else is said
 };
 
 } // namespace torrance

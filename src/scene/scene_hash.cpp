@@ -59,9 +59,10 @@ void add(ContentHasher& hasher, const Material& material)
 {
     const auto& [name, baseColorFactor, baseColor, metallicFactor, roughnessFactor, metallicRoughness, normalScale,
                  normal, occlusionStrength, occlusion, emissiveFactor, emissive, alphaMode, alphaCutoff, doubleSided,
-                 unlit] = material;
+                 unlit, ior] = material;
     addAll(hasher, name, baseColorFactor, baseColor, metallicFactor, roughnessFactor, metallicRoughness, normalScale,
-           normal, occlusionStrength, occlusion, emissiveFactor, emissive, alphaMode, alphaCutoff, doubleSided, unlit);
+           normal, occlusionStrength, occlusion, emissiveFactor, emissive, alphaMode, alphaCutoff, doubleSided, unlit,
+           ior);
 }
 
 void add(ContentHasher& hasher, const Texture& texture)

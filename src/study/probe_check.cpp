@@ -115,6 +115,7 @@ std::vector<ShadingPoint> rowsFor(const ProbeTerm& term)
     {
         row.baseColor = asFloat(row.baseColor);
         row.metallic = asFloat(row.metallic);
+        row.ior = asFloat(row.ior);
     }
     return rows;
 }

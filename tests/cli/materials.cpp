@@ -49,6 +49,10 @@ TEST(Materials, OptionsThatDoNotFitAreRefused)
     expectRefused({"--primitive", "sphere", "--metallic", "nan"}, 2, {"--metallic"});
     expectRefused({"--primitive", "sphere", "--base-color", "red"}, 2, {"--base-color red"});
     expectRefused({"--primitive", "sphere", "--base-color", "1,2,3"}, 2, {"must lie between 0 and 1"});
+    expectRefused({"--primitive", "sphere", "--material", "gould"}, 2, {"did you mean gold?"});
+    expectRefused({"--primitive", "sphere", "--material", "gold", "--maps", "x"}, 2, {"--material and --maps"});
+    expectRefused({"--primitive", "sphere", "--material", "diamond", "--path", "deferred"}, 2,
+                  {"the deferred path has no room for the index of refraction of diamond"});
     expectRefused({"--primitive", "sphere", "--maps", "nowhere"}, 3, {"nowhere: no such folder"});
 }
 

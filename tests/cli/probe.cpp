@@ -138,6 +138,21 @@ TEST_F(Probe, NeedsOnlyTheColumnsThatTheTermReads)
     refuses(small, {"--term", "distribution", "--method", "ggx_aniso"}, 3, "column tx: is missing");
 }
 
+TEST_F(Probe, VectorsOfAnyLengthAreNormalised)
+{
+    const auto values = [&](const std::string& vectors) {
+        const Outcome outcome = probe(kHeader + "a," + vectors + ",0.5,0,0.5,0.25,1,1.5,0.2,3.9\n", {"--term", "brdf"});
+        EXPECT_EQ(outcome.exitCode, 0) << outcome.errors;
+        return firstRow(outcome.output);
+    };
+    const std::vector<double> unit = values("0,0,1,0,0.6,0.8,0,-0.6,0.8");
+    for (const char* vectors : {"0,0,7,0,3,4,0,-3,4", "0,0,1e-300,0,3e-200,4e-200,0,-3e300,4e300"}) {
+        const std::vector<double> other = values(vectors);
+        for (std::size_t i = 0; i < 6; ++i) // device and processor; their difference is rounding
+            EXPECT_NEAR(other.at(i), unit.at(i), 1e-6 * unit.at(i)) << vectors;
+    }
+}
+
 TEST_F(Probe, NamesWhatIsWrongWithATable)
 {
     const std::vector<std::string> term = {"--term", "brdf"};
@@ -149,6 +164,9 @@ TEST_F(Probe, NamesWhatIsWrongWithATable)
             "line 2, column lz: 'x' is not a finite number");
     refuses(kHeader + kRow + "a,0,0,0,0,0,1,0,0,1,1,0,1,1,1,1,1,1\n", term, 3,
             "line 3, column nx ny nz: is a vector of zero length");
+    refuses(kHeader + "a,0,0,1,0,0,1,0,0,inf,1,0,1,1,1,1,1,1\n", term, 3, "line 2, column lz");
+    refuses(kHeader + "a,0,0,1,0,0,1,0,0,1,-0.1,0,1,1,1,1,1,1\n", term, 3, "-0.1 is outside [0, 1]");
+    refuses(kHeader + "a,0,0,1,0,0,1,0,0,1,1,2,1,1,1,1,1,1\n", term, 3, "column metallic: 2 is outside [0, 1]");
     refuses(kHeader + "a,0,0,1\n", term, 3, "line 2: has 4 cells where there are 18 columns");
 }
 

@@ -1,5 +1,6 @@
 // glTF 2.0, Appendix B, from the methods of selected.glsl, which is what includes this file.
 #include "material/brdf_terms.glsl"
+#include "material/dielectric_f0.glsl"
 #include "material/half_vector.glsl"
 #include "material/reflectance.glsl"
 #include "shared/constants.h"
@@ -22,7 +23,7 @@ BrdfTerms model_gltf(BrdfInput x)
     float specular = terms.D * terms.V;
     vec3 diffuse = SELECTED_diffuse(NoV, NoL, dot(x.v, x.l), h.NoH, h.VoH, x.alpha, x.perceptualRoughness, x.baseColor);
 
-    const vec3 f0 = vec3(kDielectricF0);
+    vec3 f0 = vec3(dielectricF0(x.ior));
     vec3 F = reflectance(h.VoH, h.oneLessVoH, f0);
     vec3 metalF = reflectance(h.VoH, h.oneLessVoH, x.baseColor);
     LobeAlbedo a = x.lobe;

@@ -70,6 +70,8 @@ TEST_F(MtlFile, PhongsKeysBecomeAMicrofacetDielectric)
     EXPECT_EQ(material("Ks 1 1 1\nNs 6\nillum 1\n").roughnessFactor, 1.0) << "no highlight";
     EXPECT_EQ(material("Ks 1 1 1\n").roughnessFactor, 1.0) << "no exponent";
     EXPECT_EQ(material("Pm 1\nNs 6\n").metallicFactor, 1.0) << "key by key";
+    EXPECT_EQ(material("Ni 2\n").ior, 2.0);
+    EXPECT_EQ(material("Ni 1\n").ior, 1.5);
 }
 
 TEST_F(MtlFile, StatesNothingAndIsPlain)
