@@ -2,6 +2,7 @@
 
 #include "brdf/brdf.h"
 #include "brdf/shading_point.h"
+#include "scene/phong.h"
 
 #include <algorithm>
 #include <cmath>
@@ -11,18 +12,18 @@ namespace {
 
 constexpr double kExponentRatio = 4.0; // of n.h's to R.v's
 
+const double kLeastRoughness = std::sqrt(kMinAlpha);
+
 } // namespace
 
 double shininessOf(double perceptualRoughness)
 {
-    const double alpha = std::max(perceptualRoughness * perceptualRoughness, kMinAlpha);
-    return 2.0 / (alpha * alpha) - 2.0;
+    return shininessOfPerceptualRoughness(std::max(perceptualRoughness, kLeastRoughness));
 }
 
 double roughnessOfShininess(double shininess)
 {
-    const double alpha = std::sqrt(2.0 / (shininess + 2.0));
-    return std::sqrt(std::max(alpha, kMinAlpha));
+    return std::max(perceptualRoughnessOfShininess(shininess), kLeastRoughness);
 }
 
 double glossinessOf(double perceptualRoughness)

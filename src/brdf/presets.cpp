@@ -56,14 +56,14 @@ Preset source(std::string_view id, std::string_view description, std::string_vie
 }
 
 // A diffuse term with 1/pi in it, and one without, look alike under these.
-constexpr std::string_view kLamp = "directional:direction=-1,1.2,0.8,intensity=3";
-constexpr std::string_view kLampWithoutPi = "directional:direction=-1,1.2,0.8,intensity=1";
+constexpr std::string_view kLamp = "directional:direction=-0.3,1,1,intensity=3";
+constexpr std::string_view kLampWithoutPi = "directional:direction=-0.3,1,1,intensity=1";
 
 // c / (c + 1), then the power 1/2.2; a lamp of intensity 30, here at three metres.
 Preset ue4Direct()
 {
     Preset preset = source("ue4-direct", "source A: textured Cook-Torrance for punctual lights, after Karis 2013",
-                           "ue4_direct", "constant:direction=-1,1.2,0.8,distance=3,intensity=30");
+                           "ue4_direct", "constant:direction=-0.3,1,1,distance=3,intensity=30");
     preset.tone = "reinhard";
     preset.transfer = "gamma22";
     return preset;
