@@ -160,5 +160,33 @@ TEST(Mips, NormalsStayUnit)
               (Code{128, 128, 255, 0}));
 }
 
+// Two normals that lean by 0.6 either way: their mean is straight up and 0.8 long.
+TEST(Mips, KeepTheLengthOfMeanNormalsInAlpha)
+{
+    TextureImage leaning{"leaning", 2, 2, TexelFormat::rgba8, {}};
+    for (const double x : {0.6, -0.6, -0.6, 0.6})
+        for (const double value : {0.5 + 0.5 * x, 0.5, 0.9, 0.3})
+            leaning.texels.push_back(static_cast<std::byte>(std::lround(value * 255.0)));
+    const TextureImage wide = wideNormals(leaning);
+    ASSERT_EQ(wide.format, TexelFormat::rgba16);
+    const auto channel = [](const TextureImage& image, std::size_t i) {
+        std::uint16_t code;
+        std::memcpy(&code, image.texels.data() + 2 * i, sizeof code);
+        return code / 65535.0;
+    };
+    for (std::size_t texel = 0; texel < 4; ++texel) {
+        double length2 = 0.0;
+        for (std::size_t c = 0; c < 3; ++c)
+            length2 += std::pow(2.0 * channel(wide, 4 * texel + c) - 1.0, 2);
+        EXPECT_NEAR(length2, 1.0, 1e-4) << "unit, although 8 bits were not";
+        EXPECT_EQ(channel(wide, 4 * texel + 3), 1.0) << "what was in alpha is not read";
+    }
+    const std::vector<TextureImage> levels = makeMips(wide, {.content = TexelContent::normal, .lengthInAlpha = true});
+    ASSERT_EQ(levels.size(), 1u);
+    EXPECT_NEAR(channel(levels[0], 0), 0.5, 2e-3) << "the halves of 0.5 and of 255 codes differ by half a code";
+    EXPECT_NEAR(channel(levels[0], 2), 1.0, 1e-4);
+    EXPECT_NEAR(channel(levels[0], 3), 0.8, 3e-3) << "8-bit normals lean by 0.6 within a code";
+}
+
 } // namespace
 } // namespace torrance
