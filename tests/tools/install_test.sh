@@ -13,7 +13,8 @@ cd "$tree/moved here"
 stray=$(find . -type f -not -path './bin/torrance' -not -path './lib/*torrance/torrance_openimageio.so' -not -path './share/torrance/shaders/*.glsl' -not -path './share/torrance/shaders/*.h' \
     -not -path './share/torrance/shaders/*.vert' -not -path './share/torrance/shaders/*.frag' \
     -not -path './share/torrance/assets/demo/demo.gltf' -not -path './share/torrance/assets/demo/demo.bin' \
-    -not -path './share/torrance/dfg_*.bin' -not -path './share/torrance/assets/demo/*.png' -not -path './share/torrance/assets/environments/*.hdr')
+    -not -path './share/torrance/dfg_*.bin' -not -path './share/torrance/assets/demo/*.png' -not -path './share/torrance/assets/environments/*.hdr' \
+    -not -path './share/torrance/assets/maps/*.png')
 [[ -z $stray ]] || { echo "installed, but nobody needs it: $stray"; exit 1; }
 
 mkdir ../elsewhere
