@@ -29,6 +29,7 @@ enum class Slot
     environmentSpecular,  // prefiltered radiance from an environment
     dfg,                  // directional albedo terms of the specular lobe
     areaLight,            // reflected light of a sphere light
+    sheen,                // lobe of fibres, 1/sr
     specularAntialiasing, // alpha of a pixel's normals
     tone,                 // scene-linear to display-linear
     transfer,             // display-linear to encoded

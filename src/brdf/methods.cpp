@@ -9,6 +9,7 @@
 #include "brdf/fresnel.h"
 #include "brdf/model.h"
 #include "brdf/multiple_scattering.h"
+#include "brdf/sheen.h"
 #include "brdf/specular_antialiasing.h"
 #include "brdf/visibility.h"
 #include "image/srgb.h"
@@ -546,6 +547,23 @@ constexpr Method kMethods[] = {
      .reciprocal = false,
      .formula = AreaFormula(&A_sampled),
      .file = "light/sphere_sampled.glsl"},
+    {.slot = Slot::sheen,
+     .id = "charlie",
+     .citation = "Conty & Kulla 2017, sections 2 and 3: distribution and fit of Lambda; KHR_materials_sheen",
+     .approximates = "",
+     .domain = {.text = "no material is drawn with it yet"},
+     .reciprocal = true,
+     .gainsEnergy = true,
+     .formula = ScalarFormula(&S_charlie)},
+    {.slot = Slot::sheen,
+     .id = "ashikhmin",
+     .citation = "Ashikhmin & Premoze 2007, with the distribution of Conty & Kulla 2017; KHR_materials_sheen",
+     .approximates = "charlie, without its masking",
+     .domain = {.text = "no material is drawn with it yet"},
+     .reciprocal = true,
+     .gainsEnergy = true,
+     .formula = ScalarFormula(&S_ashikhmin)},
+
     {.slot = Slot::specularAntialiasing,
      .id = "none",
      .citation = "the surface's own alpha: one normal stands for all that a pixel covers",

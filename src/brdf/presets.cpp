@@ -98,9 +98,10 @@ auto* place(P& preset, Slot slot)
         return &preset.areaLight;
     case Slot::specularAntialiasing:
         return &preset.specularAntialiasing;
-    case Slot::tone:
+    case Slot::sheen: // of a layer that no material has yet
+    case Slot::tone:  // of the output, not of the shading
     case Slot::transfer:
-        break; // of the output, not of the shading
+        break;
     }
     return decltype(&preset.distribution)(nullptr);
 }

@@ -24,6 +24,8 @@ std::string argumentsOf(Slot slot)
         return "row.VoH, row.oneLessVoH, row.f0, row.f90, row.ior, row.eta, row.k, row.f82";
     case Slot::diffuse:
         return "row.NoV, row.NoL, row.VoL, row.NoH, row.VoH, row.alpha, row.perceptualRoughness, row.baseColor";
+    case Slot::sheen:
+        return "row.NoV, row.NoL, row.NoH, row.sin2H, row.alpha";
     case Slot::multipleScattering:
         return "row.single, row.spread, row.f0, row.bias, row.E, row.ELight, row.EAverage";
     case Slot::diffuseWeight:

@@ -170,6 +170,7 @@ std::optional<double> returnedEnergy(const Method& method, double NoV, double r)
     case Slot::model:
         return std::max(modelReturn(method, v, r, 0.0), modelReturn(method, v, r, 1.0));
     case Slot::diffuse:
+    case Slot::sheen:
         return diffuseReturn(v, r, [&](const ShadingPoint& point) { return greatest(term.formula(point)); });
     case Slot::multipleScattering:
         return compensatedReturn(term, NoV, r);
@@ -184,7 +185,7 @@ std::optional<double> reciprocityError(const Method& method, double NoV, double 
 {
     const Slot slot = method.slot;
     if (slot != Slot::model && slot != Slot::distribution && slot != Slot::visibility && slot != Slot::diffuse &&
-        !readsInterface(slot))
+        slot != Slot::sheen && !readsInterface(slot))
         return std::nullopt;
     const ProbeTerm term = makeProbeTerm(method);
     double worst = 0;

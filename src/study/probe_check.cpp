@@ -146,7 +146,8 @@ std::vector<ShadingPoint> albedoRows()
 std::string faultOf(const Method& method, const ShadingPoint& point, const vec3& value)
 {
     const float least = std::min({value.x, value.y, value.z}), greatest = std::max({value.x, value.y, value.z});
-    const bool needsHorizon = method.slot == Slot::visibility || method.slot == Slot::diffuse;
+    const bool needsHorizon =
+        method.slot == Slot::visibility || method.slot == Slot::diffuse || method.slot == Slot::sheen;
     constexpr float kReflectance = 1.0f + 1e-6f;
     if (!std::isfinite(value.x) || !std::isfinite(value.y) || !std::isfinite(value.z))
         return "not finite";

@@ -103,6 +103,16 @@ TEST(Stability, FindsThatBurleysDiffuseTermGainsEnergy)
     EXPECT_EQ(judged(Slot::diffuse, "eon", {}).gainsEnergy.cells, 0);
 }
 
+// At grazing view, NoV -> 0, the lobe is D / (4 NoL), and facets at right angles to n make D (2 + 1/a) / (2 pi),
+// without bound for smooth cloth.
+TEST(Stability, FindsThatAshikhminsSheenGainsEnergy)
+{
+    const MethodVerdict ashikhmin = judged(Slot::sheen, "ashikhmin", {});
+    EXPECT_GT(ashikhmin.energy, 2.0);
+    EXPECT_EQ(ashikhmin.gainsEnergy.leastRow, 0.0);
+    EXPECT_LT(ashikhmin.gainsEnergy.greatestRow, 1.0) << "rough cloth absorbs";
+}
+
 // Without an interface nothing is reflected, and Schlick's term is (1 - VoH)^5.
 TEST(Stability, FindsThatSchlicksTermRisesAtGrazingWhereTheIndexIsOne)
 {

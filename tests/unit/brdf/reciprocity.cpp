@@ -40,6 +40,8 @@ TEST(Reciprocity, HoldsExactlyWhereTheRegistrySaysSo)
         if (!std::holds_alternative<ScalarFormula>(method.formula) &&
             !std::holds_alternative<ColorFormula>(method.formula))
             continue;
+        if (method.slot == Slot::sheen)
+            continue; // of no model yet; the sweep of tests/gpu/stability.cpp swaps v and l in it
         if (method.slot == Slot::fresnel && method.needs != Interface::reflectance)
             continue; // a glTF material gives it nothing to read; it is a function of VoH alone
         EXPECT_EQ(apart(presetWith(method)) < kRounding, method.reciprocal)

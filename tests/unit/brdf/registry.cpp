@@ -113,7 +113,8 @@ TEST(Preset, HasAMethodOfTheRightSlotEverywhere)
     ASSERT_EQ(allPresets().front().id, "standard") << "the default comes first";
     for (const Preset& preset : allPresets())
         for (const Slot slot : allSlots()) {
-            if (slot == Slot::tone || slot == Slot::transfer || (!isComposed(preset) && !preset[slot]))
+            if (slot == Slot::sheen || slot == Slot::tone || slot == Slot::transfer ||
+                (!isComposed(preset) && !preset[slot]))
                 continue;
             ASSERT_NE(preset[slot], nullptr) << preset.id << ' ' << slotName(slot);
             EXPECT_EQ(preset[slot]->slot, slot);

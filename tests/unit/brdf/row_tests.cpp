@@ -27,6 +27,7 @@ constexpr RowTest kRowTests[] = {
     {Slot::visibility, "", kTerms, "ScalarTerm", kScalars},
     {Slot::fresnel, "", kTerms, "ScalarTerm", kScalars},
     {Slot::diffuse, "", kTerms, "ScalarTerm", kScalars},
+    {Slot::sheen, "", kTerms, "ScalarTerm", kScalars},
     {Slot::diffuseWeight, "", kTerms, "ScalarTerm", kScalars},
     {Slot::multipleScattering, "", kTerms, "ScalarTerm", kScalars},
     {Slot::environmentDiffuse, "", "tests/image/environment_methods.cpp", "EnvironmentDiffuse",
