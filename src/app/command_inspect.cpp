@@ -31,6 +31,7 @@ Inspected inspect(const std::string& file, const SceneOptions& options)
         if (options.primitive.empty())
             result.facts = readFacts(sceneFile(file), loadOptions(options));
         result.loaded = buildChosenScene(options, file);
+        giveLightsTheirRadius(options, result.loaded->scene);
         result.facts = result.loaded->facts;
     } catch (const Error& error) {
         result.error = error;

@@ -295,6 +295,7 @@ Json draw(Session& session, const std::string& input, const std::string& output)
     LoadedScene loaded = phases.time("load", [&] { return loadChosenScene(session.options.scene, input); });
     Scene& scene = loaded.scene;
     addChosenLights(session.options.light, session.settings.methods, scene);
+    giveLightsTheirRadius(session.options.scene, scene);
     scene.environment = session.environment;
     warnOfWhatIsLeftOut(scene, input);
     const double aspect = double(session.settings.width) / session.settings.height;

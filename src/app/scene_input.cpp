@@ -32,20 +32,6 @@ LoadedScene primitiveScene(const std::string& name)
     return loaded;
 }
 
-void giveLightsARadius(Scene& scene, double radius)
-{
-    if (!(radius >= 0.0) || !std::isfinite(radius))
-        throw usageError("--light-radius must be 0 or more", "give metres, such as 0.1");
-    bool found = false;
-    for (Light& light : scene.lights)
-        if (light.kind != Light::Kind::directional) {
-            light.radius = radius;
-            found = true;
-        }
-    if (!found)
-        throw usageError("--light-radius is for point and spot lights, and the scene has none", "leave it out");
-}
-
 } // namespace
 
 void declareSceneOptions(CLI::App& app, SceneOptions& options)
@@ -106,9 +92,23 @@ LoadedScene buildChosenScene(const SceneOptions& chosen, const std::string& inpu
         chosen.primitive.empty() ? loadScene(sceneFile(input), loadOptions(chosen)) : primitiveScene(chosen.primitive);
     if (!chosen.primitive.empty() || choosesMaterial(chosen.material))
         applyMaterial(chosen.material, loaded);
-    if (chosen.lightRadius)
-        giveLightsARadius(loaded.scene, *chosen.lightRadius);
     return loaded;
+}
+
+void giveLightsTheirRadius(const SceneOptions& chosen, Scene& scene)
+{
+    if (!chosen.lightRadius)
+        return;
+    if (!(*chosen.lightRadius >= 0.0) || !std::isfinite(*chosen.lightRadius))
+        throw usageError("--light-radius must be 0 or more", "give metres, such as 0.1");
+    bool found = false;
+    for (Light& light : scene.lights)
+        if (light.kind != Light::Kind::directional) {
+            light.radius = *chosen.lightRadius;
+            found = true;
+        }
+    if (!found)
+        throw usageError("--light-radius is for point and spot lights, and the scene has none", "leave it out");
 }
 
 LoadedScene loadChosenScene(const SceneOptions& chosen, const std::string& input)

@@ -48,6 +48,10 @@ LoadedScene buildChosenScene(const SceneOptions& options, const std::string& inp
 /// The same; its warnings are logged.
 LoadedScene loadChosenScene(const SceneOptions& options, const std::string& input);
 
+/// --light-radius, of the file's lights and of those that other options have added by then. Error (usage) where there
+/// is none to have a radius.
+void giveLightsTheirRadius(const SceneOptions& options, Scene& scene);
+
 /// The camera options for an input: the built-in scene is composed for its own camera, which is taken where nothing
 /// else was asked for.
 CameraOptions cameraOptionsFor(const CameraOptions& options, const std::string& input);

@@ -53,6 +53,7 @@ ExitCode runSceneTrialsOf(const SceneTrialOptions& o, const std::string& deviceC
                                .height = size.y,
                                .background = BackgroundKind::transparent};
     Subject subject = {.scene = loadChosenScene(o.scene, o.input).scene, .camera = {}};
+    giveLightsTheirRadius(o.scene, subject.scene);
     subject.scene.environment = loadChosenEnvironment(o.environment, settings.methods);
     subject.camera =
         chooseCamera(cameraOptionsFor(o.camera, o.input), subject.scene, static_cast<double>(size.x) / size.y);

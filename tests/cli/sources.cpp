@@ -59,6 +59,28 @@ TEST_F(Sources, RefuseLightsThatAreNone)
     refused({"--light", "point:position=1,2,3,intensity=-1"}, "negative");
 }
 
+// A light of the command line has a radius as one of the file has, and is then sampled; a directional light has none.
+TEST_F(Sources, GiveLightsOfTheCommandLineTheRadius)
+{
+    const auto directions = [&](const std::vector<std::string>& radius) {
+        std::vector<std::string> arguments = {"reference", "--primitive", "sphere", "-r", "8x8", "--samples", "16"};
+        for (const char* argument : {"--environment", "none", "--light", "point:position=0,0,3", "--json", "-", "-o"})
+            arguments.push_back(argument);
+        arguments.push_back(folder.file("lit.exr"));
+        arguments.insert(arguments.end(), radius.begin(), radius.end());
+        const Outcome outcome = runTorrance(arguments);
+        EXPECT_EQ(outcome.exitCode, 0) << outcome.errors;
+        return nlohmann::json::parse(outcome.output)["pictures"][0]["directions"].get<double>();
+    };
+    EXPECT_EQ(directions({}), 0.0);
+    EXPECT_GT(directions({"--light-radius", "0.5"}), 0.0);
+}
+
+TEST_F(Sources, RefuseARadiusWithoutALightThatHasOne)
+{
+    refused({"--light", "directional:direction=0,0,1", "--light-radius", "0.5"}, "point and spot");
+}
+
 TEST_F(Sources, RefuseViewsOfWhatIsNotThere)
 {
     refused({"--view", "D"}, "--light");
