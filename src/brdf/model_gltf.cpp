@@ -1,5 +1,6 @@
 #include "brdf/brdf.h"
 #include "brdf/lobe_albedo.h"
+#include "brdf/lobe_albedo_table.h"
 #include "brdf/model.h"
 #include "scene/phong.h"
 
@@ -26,18 +27,21 @@ double maskingOfView(const Method& visibility, ShadingPoint point)
     return scalar(visibility, point) * 4.0 * point.NoV;
 }
 
-// Each takes ten thousand times as long as the rest: only what the methods read.
+// By quadrature that of the view takes ten thousand times as long as the rest: only what the methods read.
 void setAlbedos(const Preset& preset, ShadingPoint& lobe)
 {
     if (!preset.multipleScattering->readsAlbedo && !preset.diffuseWeight->readsAlbedo)
         return;
-    const AlbedoTerms view = lobeTerms(std::min(lobe.NoV, 1.0), lobe.perceptualRoughness);
+    const double r = lobe.perceptualRoughness;
+    const AlbedoTerms view = lobeTerms(std::min(lobe.NoV, 1.0), r);
     lobe.E = view.albedo();
     lobe.bias = view.bias;
     if (!preset.multipleScattering->readsLightAlbedo)
         return;
-    lobe.ELight = lobeTerms(std::min(lobe.NoL, 1.0), lobe.perceptualRoughness).albedo();
-    lobe.EAverage = averageLobeAlbedo(lobe.perceptualRoughness);
+    // The light comes from another direction at each call. Both are of the table, so that v and l can be exchanged.
+    lobe.E = lobeAlbedoFromTable(std::min(lobe.NoV, 1.0), r);
+    lobe.ELight = lobeAlbedoFromTable(std::min(lobe.NoL, 1.0), r);
+    lobe.EAverage = averageLobeAlbedoFromTable(r);
 }
 
 // What lies over the body reflects: Fresnel's term by the facet and by the surface as a whole, and the lobe's albedo,

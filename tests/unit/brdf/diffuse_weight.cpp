@@ -3,6 +3,7 @@
 #include "brdf/albedo.h"
 #include "brdf/brdf.h"
 #include "brdf/lobe_albedo.h"
+#include "brdf/lobe_albedo_table.h"
 #include "math/quadrature.h"
 #include "points.h"
 
@@ -41,7 +42,8 @@ TEST(DiffuseWeight, IsItsDefinitionOverALambertianBody)
 }
 
 // Under uniform light a white body weighted by albedo returns what the interface does not: all light, whatever the
-// lobe.
+// lobe. That is so for any albedos, if both are told the same: the model reads the table where it needs that of the
+// light (lobe_albedo_table.h).
 TEST(DiffuseWeight, AlbedoScalingMakesAWhiteDielectricReturnAllLight)
 {
     for (const char* compensation : {"none", "scale", "kulla_conty", "fdez_aguera"}) {
@@ -50,6 +52,10 @@ TEST(DiffuseWeight, AlbedoScalingMakesAWhiteDielectricReturnAllLight)
         ShadingPoint point = pointAt(0.3, 0.6, 1.0, 0.7);
         const double body = evaluateTerms(preset, point).diffuse.g * kPi; // the same at every l
         setLobeAlbedo(point);
+        if (preset.multipleScattering->readsLightAlbedo) {
+            point.E = lobeAlbedoFromTable(point.NoV, point.perceptualRoughness);
+            point.EAverage = averageLobeAlbedoFromTable(point.perceptualRoughness);
+        }
         point.f0 = dvec3(kDielectricF0);
         point.single = point.f0 * (point.E - point.bias) + point.bias;
         point.spread = dvec3(1);
