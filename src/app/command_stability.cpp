@@ -217,12 +217,13 @@ ExitCode runTable(const Options& options, const GlobalOptions& global)
 
 ExitCode run(const Options& options, const GlobalOptions& global)
 {
-    const bool other = !options.methods.empty() || !options.scene.input.empty() || !options.output.empty();
+    const bool other = !options.methods.empty() || !isWithoutScene(options.scene) || !options.output.empty();
     if (!options.table.empty() && other)
-        throw usageError("--table is of all methods and goes with no other choice", "leave SCENE, --method and -o out");
+        throw usageError("--table is of all methods and goes with no other choice",
+                         "leave the scene, --method and -o out");
     if (!options.table.empty())
         return runTable(options, global);
-    if (options.scene.input.empty())
+    if (isWithoutScene(options.scene))
         return runMethods(options, global);
     if (!options.methods.empty())
         throw usageError("--method and a scene exclude each other", "leave one of them out");

@@ -5,6 +5,7 @@
 #include "app/progress_line.h"
 #include "core/atomic_write.h"
 #include "core/data_folder.h"
+#include "core/error.h"
 #include "core/standard_output.h"
 #include "files/json_write.h"
 #include "passes/renderer.h"
@@ -34,10 +35,13 @@ Json toJson(const SceneTrial& trial)
 
 } // namespace
 
+bool isWithoutScene(const SceneTrialOptions& options)
+{
+    return options.scene.files.empty() && options.scene.primitive.empty();
+}
+
 void declareSceneTrialOptions(CLI::App& app, SceneTrialOptions& o)
 {
-    app.add_option("SCENE", o.input, "Look at this scene instead: .gltf, .glb or .obj; 'demo' is the built-in one")
-        ->type_name("FILE");
     app.add_option("-r,--resolution", o.resolution, "Size of a scene's pictures (default 256x256)")->type_name("WxH");
     declareSceneOptions(app, o.scene);
     declareCameraOptions(app, o.camera);
@@ -47,16 +51,20 @@ void declareSceneTrialOptions(CLI::App& app, SceneTrialOptions& o)
 ExitCode runSceneTrialsOf(const SceneTrialOptions& o, const std::string& deviceChoice, const std::string& folder,
                           const GlobalOptions& global)
 {
+    const std::vector<std::string> inputs = sceneInputs(o.scene);
+    if (inputs.size() > 1)
+        throw usageError("one scene is looked at at a time, not " + std::to_string(inputs.size()), "name one");
+    const std::string& input = inputs.front();
     const ivec2 size = chosenSize({.resolution = o.resolution});
     const Settings settings = {.methods = *brdf::findPreset("standard"),
                                .width = size.x,
                                .height = size.y,
                                .background = BackgroundKind::transparent};
-    Subject subject = {.scene = loadChosenScene(o.scene, o.input).scene, .camera = {}};
+    Subject subject = {.scene = loadChosenScene(o.scene, input).scene, .camera = {}};
     giveLightsTheirRadius(o.scene, subject.scene);
     subject.scene.environment = loadChosenEnvironment(o.environment, settings.methods);
     subject.camera =
-        chooseCamera(cameraOptionsFor(o.camera, o.input), subject.scene, static_cast<double>(size.x) / size.y);
+        chooseCamera(cameraOptionsFor(o.camera, input), subject.scene, static_cast<double>(size.x) / size.y);
 
     const gpu::Device device = openDevice(deviceChoice, global);
     gpu::ShaderLibrary shaders(dataFolder() / "shaders", cacheFolder(global));
@@ -65,21 +73,21 @@ ExitCode runSceneTrialsOf(const SceneTrialOptions& o, const std::string& deviceC
         const ShadingPlan plan = makePlan(scene, settings);
         return renderer.render(renderer.upload(scene, plan), camera).color;
     };
-    ProgressLine progress(o.input);
+    ProgressLine progress(input);
     const std::vector<SceneTrial> trials =
         runSceneTrials(subject, draw, [&](int done, int all) { progress.show(done, all); });
     progress.clear();
 
     if (!folder.empty())
         writeFile(std::filesystem::path(folder) / "scene.html",
-                  htmlText(sceneTrialReport(o.input, device.description.name, trials)));
+                  htmlText(sceneTrialReport(input, device.description.name, trials)));
     Json::Array results;
     for (const SceneTrial& trial : trials) {
         if (global.json != "-" && !global.quiet)
             writeStandardOutput(lineOf(trial));
         results.push_back(toJson(trial));
     }
-    writeJson(global.json, Json::Object{{"scene", o.input}, {"device", device.description.name}, {"trials", results}});
+    writeJson(global.json, Json::Object{{"scene", input}, {"device", device.description.name}, {"trials", results}});
     return std::ranges::all_of(trials, &SceneTrial::passed) ? ExitCode::success : ExitCode::checkFailed;
 }
 

@@ -12,12 +12,14 @@ namespace torrance {
 
 struct SceneTrialOptions
 {
-    std::string input; // empty: methods are looked at
     std::string resolution = "256x256";
     SceneOptions scene;
     CameraOptions camera;
     EnvironmentOptions environment;
 };
+
+/// No scene is named: methods are looked at.
+bool isWithoutScene(const SceneTrialOptions& options);
 
 void declareSceneTrialOptions(CLI::App& app, SceneTrialOptions& options);
 

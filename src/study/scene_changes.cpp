@@ -177,6 +177,16 @@ void setMetallic(Scene& scene, double metallic)
     }
 }
 
+void leaveInterface(Scene& scene, double ior)
+{
+    setMetallic(scene, 0.0);
+    for (Material& material : scene.materials) {
+        material.baseColorFactor = dvec4(0.0, 0.0, 0.0, material.baseColorFactor.w);
+        material.emissiveFactor = dvec3(0.0);
+        material.ior = ior;
+    }
+}
+
 bool setOcclusionStrength(Scene& scene, double strength)
 {
     bool any = false;

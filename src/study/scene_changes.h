@@ -36,6 +36,8 @@ void turnNormalsBelow(Scene& scene);
 void setRoughness(Scene& scene, double perceptualRoughness);
 /// Of every material; its texture goes.
 void setMetallic(Scene& scene, double metallic);
+/// Of every material that is not unlit: a black body without emission, and an interface of this index over it.
+void leaveInterface(Scene& scene, double ior);
 /// Of every material with an occlusion texture. False where there is none.
 bool setOcclusionStrength(Scene& scene, double strength);
 /// The material's occlusion textures go.

@@ -85,6 +85,15 @@ int badPixels(const Image& picture)
     return bad;
 }
 
+double brightest(const Image& picture)
+{
+    double greatest = 0.0;
+    for (std::size_t i = 0; i < picture.texels.size(); ++i)
+        if (i % 4 != 3 && !(picture.texels[i] <= greatest))
+            greatest = picture.texels[i];
+    return greatest;
+}
+
 SceneTrial notApplicable(std::string name, std::string missing)
 {
     SceneTrial trial;
@@ -312,16 +321,12 @@ SceneTrial brightTexel(const Base& base)
     for (Material& material : lit.materials)
         material.emissiveFactor = dvec3(0.0);
     const Image picture = base.draw(lit, base.subject.camera);
-    double brightest = badPixels(picture) > 0 ? NAN : 0.0;
-    for (std::size_t i = 0; i < picture.texels.size(); ++i)
-        if (i % 4 != 3 && !(picture.texels[i] <= brightest))
-            brightest = picture.texels[i];
     return {.name = "environment with one texel of 1e6",
             .expectation =
                 "Finite, not negative, and nothing brighter than twice the brightest texel: the diffuse and the "
                 "specular part each return no more than they receive.",
             .quantity = "brightest channel, of the brightest texel",
-            .measured = brightest / (radiance * texel),
+            .measured = (badPixels(picture) > 0 ? NAN : brightest(picture)) / (radiance * texel),
             .allowed = 2.0,
             .pictures = {shown(picture, "as it is")}};
 }
@@ -406,6 +411,35 @@ SceneTrial metallicTrial(const Base& base)
         at(0.0), at(0.5), at(1.0), kCompensationThreshold + kShadingRounding);
 }
 
+// Fresnel terms rise with the index everywhere: of a black body, no pixel is brighter at 1 than at 1.5.
+SceneTrial indexOfOne(const Base& base)
+{
+    const auto at = [&](double ior) {
+        Scene scene = base.subject.scene;
+        leaveInterface(scene, ior);
+        return base.draw(scene, base.subject.camera);
+    };
+    const Image none = at(1.0), glass = at(1.5);
+    double excess = badPixels(none) > 0 ? NAN : 0.0, left = 0.0, whole = 0.0;
+    for (std::size_t i = 0; i < none.texels.size(); ++i)
+        if (i % 4 != 3) {
+            left += none.texels[i];
+            whole += glass.texels[i];
+            if (!(none.texels[i] - glass.texels[i] <= excess))
+                excess = double(none.texels[i]) - glass.texels[i];
+        }
+    const double share = whole > 0 ? left / whole : 0.0;
+    return {.name = "index of refraction 1",
+            .expectation = fmt::format("Over a black body there is no interface left: finite, not negative, and "
+                                       "nowhere brighter than with the index 1.5. What is still reflected, {:.1f} % of "
+                                       "the light at 1.5, is the grazing rise of Schlick's term at F0 = 0.",
+                                       100.0 * share),
+            .quantity = "greatest channel above that at 1.5, of the brightest there",
+            .measured = excess / std::max(brightest(glass), 1e-30),
+            .allowed = kShadingRounding,
+            .pictures = {shown(none, "index 1"), shown(glass, "index 1.5")}};
+}
+
 void addOcclusionTrials(std::vector<SceneTrial>& trials, const Base& base)
 {
     Scene none = base.subject.scene, half = none, all = none, without = none;
@@ -449,6 +483,7 @@ std::vector<SceneTrial> runSceneTrials(const Subject& subject, const DrawScene& 
     addSmoothTrials(trials, base);
     step();
     trials.push_back(metallicTrial(base));
+    trials.push_back(indexOfOne(base));
     addOcclusionTrials(trials, base);
     return trials;
 }

@@ -58,6 +58,7 @@ TEST(Stability, RefusesWhatItCannotSweep)
     EXPECT_EQ(runTorrance({"stability", "--precision", "fp8"}).exitCode, 2);
     EXPECT_EQ(runTorrance({"stability", "demo", "--method", "ggx"}).exitCode, 2);
     EXPECT_EQ(runTorrance({"stability", "absent.glb"}).exitCode, 3);
+    EXPECT_EQ(runTorrance({"stability", "demo", "demo"}).exitCode, 2) << "one scene at a time";
     const TestFolder folder;
     std::ofstream(folder.file("file")) << "x";
     const Outcome blocked = runTorrance({"stability", "--method", "implicit", "-o", folder.file("file")});

@@ -67,6 +67,17 @@ TEST(SceneTrials, FailWhereTheRendererDoes)
     EXPECT_FALSE(named(mixed, "metallic between 0 and 1").passed());
 }
 
+// A renderer that is brighter without an interface than with one.
+TEST(SceneTrials, FailWhereNoInterfaceReflectsMoreThanGlass)
+{
+    const auto inverted =
+        tried([](const Scene& scene, const Camera&) { return static_cast<float>(1 / scene.materials.front().ior); });
+    EXPECT_FALSE(named(inverted, "index of refraction 1").passed());
+    const auto rising =
+        tried([](const Scene& scene, const Camera&) { return static_cast<float>(scene.materials.front().ior); });
+    EXPECT_TRUE(named(rising, "index of refraction 1").passed());
+}
+
 TEST(SceneTrials, FailForPixelsThatAreNotFiniteOrNegative)
 {
     for (const float bad : {NAN, INFINITY, -1.0f}) {
