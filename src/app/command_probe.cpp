@@ -8,6 +8,7 @@
 #include "brdf/lobe_albedo.h"
 #include "core/atomic_write.h"
 #include "core/data_folder.h"
+#include "core/log.h"
 #include "core/nearest_name.h"
 #include "core/parallel.h"
 #include "core/read_file.h"
@@ -203,6 +204,9 @@ ExitCode run(const Options& options, const GlobalOptions& global)
     const std::vector<std::byte> bytes = readFile(options.input);
     const std::string_view csv(reinterpret_cast<const char*>(bytes.data()), bytes.size());
     const ProbeRows rows = parseProbeRows(csv, options.input, term.columns);
+
+    if (!rows.nonUnit.empty())
+        logWarning(options.input + ": " + rows.nonUnit + ": is not of length 1; all directions are made unit");
 
     const gpu::Device device = openDevice(options.device, global);
     gpu::ShaderLibrary shaders(dataFolder() / "shaders", cacheFolder(global));

@@ -32,7 +32,7 @@ public:
         return value;
     }
 
-    dvec3 vector(std::size_t row, const std::string& name) const
+    dvec3 vector(std::size_t row, const std::string& name)
     {
         dvec3 v;
         for (int i = 0; i < 3; ++i)
@@ -40,6 +40,8 @@ public:
         if (v == dvec3(0))
             throw inputError(file, place(row, name + "x " + name + "y " + name + "z"), "is a vector of zero length",
                              "give a direction");
+        if (nonUnit.empty() && !(std::abs(std::hypot(v.x, v.y, v.z) - 1.0) <= kUnitTolerance))
+            nonUnit = place(row, name + "x " + name + "y " + name + "z");
         return v / std::max({std::abs(v.x), std::abs(v.y), std::abs(v.z)}); // whose square no double overflows
     }
 
@@ -49,13 +51,15 @@ public:
                 number(row, name + "_b", kGreatest)};
     }
 
-    dvec3 tangent(std::size_t row, const dvec3& n) const
+    dvec3 tangent(std::size_t row, const dvec3& n)
     {
         const dvec3 t = vector(row, "t");
         if (glm::cross(n, glm::normalize(t)) == dvec3(0))
             throw inputError(file, place(row, "tx ty tz"), "lies along the normal", "give a direction in the surface");
         return t;
     }
+
+    const std::string& firstNonUnit() const { return nonUnit; }
 
     void require(std::string_view name) const { table.column(name, file); }
 
@@ -67,12 +71,13 @@ private:
 
     const std::string& file;
     CsvTable table;
+    std::string nonUnit; // where the first of them stands
 };
 
-brdf::ShadingPoint pointOf(const Rows& rows, std::size_t row, const ProbeColumns& columns)
+brdf::ShadingPoint pointOf(Rows& rows, std::size_t row, const ProbeColumns& columns)
 {
-    brdf::ShadingPoint point = brdf::makeShadingPoint(rows.vector(row, "n"), rows.vector(row, "v"),
-                                                      rows.vector(row, "l"), rows.number(row, "roughness", 1));
+    const dvec3 n = rows.vector(row, "n"), v = rows.vector(row, "v"), l = rows.vector(row, "l");
+    brdf::ShadingPoint point = brdf::makeShadingPoint(n, v, l, rows.number(row, "roughness", 1));
     if (columns.baseColor)
         point.baseColor = rows.color(row, "base");
     if (columns.metallic)
@@ -117,13 +122,14 @@ void requireColumns(const Rows& rows, const ProbeColumns& columns)
 
 ProbeRows parseProbeRows(std::string_view csv, const std::string& file, const ProbeColumns& columns)
 {
-    const Rows rows(csv, file);
+    Rows rows(csv, file);
     requireColumns(rows, columns);
     ProbeRows result;
     for (std::size_t row = 0; row < rows.count(); ++row) {
         result.ids.push_back(rows.text(row, "id"));
         result.points.push_back(pointOf(rows, row, columns));
     }
+    result.nonUnit = rows.firstNonUnit();
     return result;
 }
 

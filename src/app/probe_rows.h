@@ -13,7 +13,11 @@ struct ProbeRows
 {
     std::vector<std::string> ids;
     std::vector<brdf::ShadingPoint> points;
+    std::string nonUnit; // the first direction whose length is not 1 within kUnitTolerance: "line 4, column nx ny nz"
 };
+
+/// Directions printed with three digits pass. All are made unit; beyond this, somebody may have meant something else.
+inline constexpr double kUnitTolerance = 2e-3;
 
 /// What a term reads beside n, v, l and roughness: columns that must then be there.
 struct ProbeColumns

@@ -138,6 +138,16 @@ TEST_F(Probe, NeedsOnlyTheColumnsThatTheTermReads)
     refuses(small, {"--term", "distribution", "--method", "ggx_aniso"}, 3, "column tx: is missing");
 }
 
+TEST_F(Probe, WarnsOfVectorsThatAreNotUnit)
+{
+    const auto said = [&](const std::string& vectors) {
+        return probe(kHeader + "b," + vectors + ",0.5,0,0.5,0.25,1,1.5,0.2,3.9\n", {"--term", "brdf"}).errors;
+    };
+    EXPECT_EQ(said("0,0,1,0,0.6,0.8,0,-0.6,0.8"), "");
+    EXPECT_EQ(said("0,0,1,0,0.707,0.707,0,-0.6,0.8"), "") << "three digits";
+    EXPECT_NE(said("0,0,1,0,3,4,0,-0.6,0.8").find("line 2, column vx vy vz: is not of length 1"), std::string::npos);
+}
+
 TEST_F(Probe, VectorsOfAnyLengthAreNormalised)
 {
     const auto values = [&](const std::string& vectors) {
