@@ -28,6 +28,19 @@ layout(set = 0, binding = kBindEnvironmentRadiance) uniform samplerCube environm
 #endif
 #include "environment/diffuse.glsl"
 #include "environment/specular.glsl"
+
+#ifdef SELECTED_environment
+// By the source's own model: of a lobe of scale 1 and bias 0 it takes the light itself.
+vec3 environmentLight(Surface s, float alpha)
+{
+    vec3 n = frame.environmentFromWorld * s.normal;
+    vec3 v = frame.environmentFromWorld * s.view;
+    vec3 light = specularSums(n, v, alpha, s.perceptualRoughness, vec4(1.0, 0.0, 0.0, 1.0)).scale;
+    float NoV = clamp(dot(s.normal, s.view), 0.0, 1.0);
+    vec3 sum = SELECTED_environment(s.baseColor, s.metallic, NoV, light, irradianceOverPi(n));
+    return sum * (s.occlusion * frame.environmentIntensity);
+}
+#else
 #include "material/dielectric_f0.glsl"
 
 vec3 environmentLight(Surface s, float alpha, vec4 albedo)
@@ -53,4 +66,5 @@ vec3 environmentLight(Surface s, float alpha, vec4 albedo)
     vec3 diffuse = irradiance * s.baseColor * ((1.0 - s.metallic) * weight);
     return (specular + diffuse) * (s.occlusion * frame.environmentIntensity);
 }
+#endif
 #endif

@@ -10,7 +10,11 @@ struct SpecularSums
 #ifdef SPECULAR_SAMPLER
 #include "environment/sampled_specular.glsl"
 #else
+#ifdef SPECULAR_PHONG_LEVELS
+#include "environment/phong_levels.glsl"
+#else
 #include "environment/prefiltered.glsl"
+#endif
 #ifdef SPECULAR_DOMINANT
 #include "environment/dominant_direction.glsl"
 #endif
@@ -28,7 +32,11 @@ SpecularSums specularSums(vec3 n, vec3 v, float alpha, float perceptualRoughness
 #ifdef SPECULAR_DOMINANT
     direction = dominantDirection(n, direction, alpha);
 #endif
+#ifdef SPECULAR_PHONG_LEVELS
+    vec3 light = phongRadiance(environmentSpecular, direction, alpha);
+#else
     vec3 light = prefilteredRadiance(environmentSpecular, direction, alpha, frame.environmentLastLevel);
+#endif
     return SpecularSums(light * albedo.x, light * albedo.y);
 #endif
 }

@@ -86,7 +86,9 @@ vec3 shade(Surface s)
 #ifdef PUNCTUAL_LIGHTS
     color += punctualLight(s, alpha, lobe);
 #endif
-#ifdef ENVIRONMENT_LIGHT
+#if defined(ENVIRONMENT_LIGHT) && defined(SELECTED_environment)
+    color += environmentLight(s, alpha);
+#elif defined(ENVIRONMENT_LIGHT)
     color += environmentLight(s, alpha, albedo);
 #endif
     return color;

@@ -152,6 +152,16 @@ void checkYardstick(const Options& o)
                          "leave them out, or use --yardstick model");
 }
 
+// The integral of a source over an environment is that of its BRDF; phong adds its ambient part once per light, and a
+// whole sphere of lights has no end of them.
+void checkIntegrable(const brdf::Preset& methods, const EnvironmentOptions& environment)
+{
+    if (methods.model->id == "phong" && !environment.name.empty() && environment.name != "none")
+        throw usageError("the preset " + std::string(methods.id) +
+                             " is no BRDF, so that light from an environment has no integral",
+                         "leave it out: --environment none");
+}
+
 ReferenceSettings settingsOf(const Options& o)
 {
     checkTarget(o);
@@ -162,6 +172,7 @@ ReferenceSettings settingsOf(const Options& o)
     settings.methods = chooseMethods(o.methods);
     settings.physics = o.yardstick == "physics";
     brdf::requireWholeBrdf(settings.methods);
+    checkIntegrable(settings.methods, o.environment);
     settings.width = size.x;
     settings.height = size.y;
     settings.pixelSamples = o.pixelSamples;

@@ -38,7 +38,7 @@ void declareEnvironmentOptions(CLI::App& app, EnvironmentOptions& options)
 
 std::optional<Environment> loadChosenEnvironment(const EnvironmentOptions& options, const brdf::Preset& methods)
 {
-    const std::string byDefault = methods.environmentSpecular ? "studio" : "none";
+    const std::string byDefault = brdf::isComposed(methods) ? "studio" : "none"; // sources bring a lamp
     const std::string& name = options.name.empty() ? byDefault : options.name;
     if (!std::isfinite(options.rotation))
         throw usageError("--environment-rotation must be a number", "give degrees");

@@ -197,7 +197,7 @@ dvec3 Es_vndf_bounded(const EnvironmentQuery& query)
 
 bool drawsSamples(const Method& environmentSpecular)
 {
-    constexpr std::string_view kPrefiltered[] = {"split_sum", "split_sum_dominant"};
+    constexpr std::string_view kPrefiltered[] = {"split_sum", "split_sum_dominant", "phong_levels"};
     return std::ranges::find(kPrefiltered, environmentSpecular.id) == std::end(kPrefiltered);
 }
 

@@ -9,6 +9,7 @@
 #include "brdf/fresnel.h"
 #include "brdf/model.h"
 #include "brdf/multiple_scattering.h"
+#include "brdf/phong_levels.h"
 #include "brdf/sheen.h"
 #include "brdf/specular_antialiasing.h"
 #include "brdf/visibility.h"
@@ -83,7 +84,7 @@ constexpr Method kMethods[] = {
      .id = "torrance_sparrow_blinn",
      .citation = "source E (docs/sources.md); Torrance & Sparrow 1967; Blinn 1977",
      .approximates = "",
-     .domain = {.text = "punctual lights"},
+     .domain = {.text = "punctual lights; environments by phong_levels"},
      .reciprocal = true,
      .gainsEnergy = true,
      .formula = ModelFormula(&model_torrance_sparrow_blinn)},
@@ -456,6 +457,14 @@ constexpr Method kMethods[] = {
      .reciprocal = false,
      .formula = EnvironmentFormula(&Es_vndf_bounded),
      .file = "environment/sample_vndf_bounded.glsl"},
+    {.slot = Slot::environmentSpecular,
+     .id = "phong_levels",
+     .citation = "source E (docs/sources.md): 8 levels of cosine powers, F at h = n",
+     .approximates = "the integral of BRDF and environment",
+     .domain = {.text = "distant environments; the model torrance_sparrow_blinn"},
+     .reciprocal = false,
+     .formula = EnvironmentFormula(&Es_phong_levels),
+     .file = "environment/phong_levels.glsl"},
     {.slot = Slot::dfg,
      .id = "table",
      .citation = "Karis 2013, eq. 8",

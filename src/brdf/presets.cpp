@@ -42,7 +42,8 @@ Preset standard()
     return preset;
 }
 
-// A source system: a model that brings all its terms, lit by punctual lights alone.
+// A source system: a model that brings all its terms, lit by punctual lights alone where nothing is
+// added.
 Preset source(std::string_view id, std::string_view description, std::string_view model, std::string_view light)
 {
     Preset preset = {};
@@ -66,6 +67,17 @@ Preset ue4Direct()
                            "ue4_direct", "constant:direction=-0.3,1,1,distance=3,intensity=30");
     preset.tone = "reinhard";
     preset.transfer = "gamma22";
+    return preset;
+}
+
+// Lit by an environment too, from an irradiance map and eight levels.
+Preset torranceSparrowBlinn()
+{
+    Preset preset =
+        source("torrance-sparrow-blinn", "source E: Blinn's D in V-grooves, between dielectric, metal and Lambert",
+               "torrance_sparrow_blinn", kLamp);
+    preset.environmentDiffuse = known(Slot::environmentDiffuse, "irradiance_cube");
+    preset.environmentSpecular = known(Slot::environmentSpecular, "phong_levels");
     return preset;
 }
 
@@ -140,8 +152,7 @@ std::span<const Preset> allPresets()
         source("schlick-beckmann", "source C: GGX, Schlick's G with k = alpha/2, Lambert under 1 - F",
                "schlick_beckmann", kLamp),
         source("smith-r", "source D: GGX, Smith's G1 with r in place of alpha, diffuse n.l", "smith_r", kLampWithoutPi),
-        source("torrance-sparrow-blinn", "source E: Blinn's D in V-grooves, between dielectric, metal and Lambert",
-               "torrance_sparrow_blinn", kLamp),
+        torranceSparrowBlinn(),
     };
     return presets;
 }

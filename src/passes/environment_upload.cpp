@@ -72,13 +72,16 @@ EnvironmentStore::EnvironmentStore(const gpu::Device& d, const std::filesystem::
 {
 }
 
-const EnvironmentStore::LightCubes& EnvironmentStore::lightCubes(const Image& radiance, const ContentHash& content)
+const EnvironmentStore::LightCubes& EnvironmentStore::lightCubes(const Image& radiance, const ContentHash& content,
+                                                                 bool phong)
 {
     const std::string key = content.hex();
-    if (const auto found = cubes.find(key); found != cubes.end())
+    std::map<std::string, LightCubes>& made = phong ? phongCubes : cubes;
+    if (const auto found = made.find(key); found != made.end())
         return found->second;
-    const EnvironmentMaps maps = cachedEnvironmentMaps(radiance, content, cache);
-    return cubes
+    const EnvironmentMaps maps =
+        phong ? cachedPhongMaps(radiance, content, cache) : cachedEnvironmentMaps(radiance, content, cache);
+    return made
         .emplace(key, LightCubes{uploadCube(device, maps.specular, "prefiltered environment"),
                                  uploadCube(device, maps.irradiance, "irradiance")})
         .first->second;
@@ -123,8 +126,9 @@ EnvironmentImages EnvironmentStore::get(const Scene& scene, const ShadingPlan& p
         const Image& radiance = scene.environment->radiance;
         const ContentHash content = contentOf(radiance);
         if (plan.environmentLight) {
-            const LightCubes& light = lightCubes(radiance, content);
             const brdf::Preset& methods = plan.settings.methods;
+            const bool phong = methods.environmentSpecular->id == "phong_levels";
+            const LightCubes& light = lightCubes(radiance, content, phong);
             const std::string_view diffuse = methods.environmentDiffuse->id;
             const bool samples = brdf::drawsSamples(*methods.environmentSpecular);
             if (diffuse == "irradiance_cube")

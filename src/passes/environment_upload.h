@@ -41,7 +41,7 @@ private:
         gpu::DeviceImage specular;
         gpu::DeviceImage diffuse;
     };
-    const LightCubes& lightCubes(const Image& radiance, const ContentHash& content);
+    const LightCubes& lightCubes(const Image& radiance, const ContentHash& content, bool phong);
     const gpu::DeviceImage& radianceCube(const Image& radiance, const ContentHash& content);
     const gpu::DeviceImage& panorama(const Image& radiance, const ContentHash& content);
     const gpu::DeviceImage& dfgTable(const brdf::DfgStorage& storage);
@@ -49,6 +49,7 @@ private:
     const gpu::Device& device;
     DiskCache cache;
     std::map<std::string, LightCubes> cubes;                // by the panorama's content
+    std::map<std::string, LightCubes> phongCubes;           // likewise
     std::map<std::string, gpu::DeviceImage> radianceCubes;  // likewise
     std::map<std::string, gpu::DeviceImage> panoramas;      // likewise
     std::map<std::string_view, gpu::DeviceImage> dfgTables; // by the row

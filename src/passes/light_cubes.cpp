@@ -8,6 +8,7 @@ namespace {
 
 // Changes whenever makeEnvironmentMaps would give other numbers for the same panorama.
 constexpr int kMapsVersion = 2;
+constexpr int kPhongMapsVersion = 0x10001; // likewise of makePhongMaps; never the other's
 
 void append(std::vector<float>& out, const CubeLevels& cube)
 {
@@ -33,11 +34,11 @@ CubeLevels take(const std::vector<float>& numbers, std::size_t& at)
     return cube;
 }
 
-} // namespace
+using MakeMaps = EnvironmentMaps (*)(const Image& panorama);
 
-EnvironmentMaps cachedEnvironmentMaps(const Image& radiance, const ContentHash& content, DiskCache& cache)
+EnvironmentMaps cached(MakeMaps make, int version, const Image& radiance, const ContentHash& content, DiskCache& cache)
 {
-    const ContentHash key = ContentHasher().add(content.high).add(content.low).add(kMapsVersion).finish();
+    const ContentHash key = ContentHasher().add(content.high).add(content.low).add(version).finish();
     if (const auto bytes = cache.load(key)) {
         std::vector<float> numbers(bytes->size() / sizeof(float));
         std::memcpy(numbers.data(), bytes->data(), numbers.size() * sizeof(float));
@@ -45,12 +46,24 @@ EnvironmentMaps cachedEnvironmentMaps(const Image& radiance, const ContentHash& 
         CubeLevels specular = take(numbers, at);
         return {.specular = std::move(specular), .irradiance = take(numbers, at)};
     }
-    EnvironmentMaps maps = makeEnvironmentMaps(radiance);
+    EnvironmentMaps maps = make(radiance);
     std::vector<float> numbers;
     append(numbers, maps.specular);
     append(numbers, maps.irradiance);
     cache.store(key, std::as_bytes(std::span(numbers)));
     return maps;
+}
+
+} // namespace
+
+EnvironmentMaps cachedEnvironmentMaps(const Image& radiance, const ContentHash& content, DiskCache& cache)
+{
+    return cached(&makeEnvironmentMaps, kMapsVersion, radiance, content, cache);
+}
+
+EnvironmentMaps cachedPhongMaps(const Image& radiance, const ContentHash& content, DiskCache& cache)
+{
+    return cached(&makePhongMaps, kPhongMapsVersion, radiance, content, cache);
 }
 
 } // namespace torrance

@@ -8,5 +8,7 @@ namespace torrance {
 
 /// makeEnvironmentMaps(radiance), kept in `cache` under the panorama's content and the way of making them.
 EnvironmentMaps cachedEnvironmentMaps(const Image& radiance, const ContentHash& content, DiskCache& cache);
+/// The same of makePhongMaps(radiance).
+EnvironmentMaps cachedPhongMaps(const Image& radiance, const ContentHash& content, DiskCache& cache);
 
 } // namespace torrance

@@ -34,10 +34,18 @@ void defineEnvironment(std::string& text, const brdf::Preset& methods)
     define(text, "IRRADIANCE_SH4", diffuse == "sh4");
     define(text, "IRRADIANCE_SAMPLED", diffuse == "sampled");
     define(text, "SPECULAR_DOMINANT", specular.id == "split_sum_dominant");
+    define(text, "SPECULAR_PHONG_LEVELS", specular.id == "phong_levels");
     define(text, "READS_RADIANCE", diffuse == "sampled" || brdf::drawsSamples(specular));
     if (brdf::drawsSamples(specular))
         text += "#include \"" + brdf::glslPath(specular) + "\"\n#define SPECULAR_SAMPLER " +
                 brdf::functionName(specular) + "\n";
+}
+
+// What a source's model makes of the light that those functions return; it reads the model's parameters.
+std::string modelEnvironment(const brdf::Method& model)
+{
+    const std::string id(model.id);
+    return "#include \"environment/model/" + id + ".glsl\"\n#define SELECTED_environment environment_" + id + "\n";
 }
 
 // toksvig reads a normal map; tokuyoshi how normals turn, of whatever surface.
@@ -100,7 +108,8 @@ std::string selectedText(const ShadingPlan& plan, const ShaderKey& key)
     if (lit && plan.environmentLight)
         defineEnvironment(text, plan.settings.methods);
     const bool lightsReadAlbedo = lit && readsAlbedo(plan.settings.methods, key.compensates) && !plan.lights.empty();
-    const bool table = lit && (plan.environmentLight || lightsReadAlbedo || viewsTable(plan));
+    const bool environmentReadsTable = plan.environmentLight && brdf::isComposed(plan.settings.methods);
+    const bool table = lit && (environmentReadsTable || lightsReadAlbedo || viewsTable(plan));
     define(text, "DFG_TABLE", table);
     if (const brdf::Method* dfg = plan.settings.methods.dfg; table && !brdf::findDfgTable(dfg->id))
         text += "#include \"" + brdf::glslPath(*dfg) + "\"\n#define DFG_FIT " + brdf::functionName(*dfg) + "\n";
@@ -116,6 +125,8 @@ std::string selectedText(const ShadingPlan& plan, const ShaderKey& key)
         if (brdf::isComposed(methods) && !key.compensates)
             methods.multipleScattering = brdf::findMethod(brdf::Slot::multipleScattering, "none");
         text += brdf::selectedGlsl(methods);
+        if (plan.environmentLight && !brdf::isComposed(methods))
+            text += modelEnvironment(*methods.model);
     }
     return text;
 }

@@ -237,6 +237,17 @@ void Planner::planSurfaces()
         plan.batches.push_back(std::move(batch));
 }
 
+// The levels of source E belong to its model, which has no part for any others.
+void checkLevels(const ShadingPlan& plan)
+{
+    const brdf::Preset& methods = plan.settings.methods;
+    if (!plan.environmentLight || brdf::isComposed(methods) == (methods.environmentSpecular->id != "phong_levels"))
+        return;
+    throw usageError("the model " + std::string(methods.model->id) + " cannot be lit by an environment through " +
+                         std::string(methods.environmentSpecular->id),
+                     "leave out --environment-specular: each preset has one that goes with its model");
+}
+
 // What is tabulated and prefiltered is the lobe of ggx with smith_corr: another lobe would be lit by the wrong one. A
 // source system that says nothing of environments is lit by none.
 void checkLobe(const ShadingPlan& plan)
@@ -245,6 +256,7 @@ void checkLobe(const ShadingPlan& plan)
     if (plan.environmentLight && !methods.environmentSpecular)
         throw usageError("the preset " + std::string(methods.id) + " defines no light from an environment",
                          "leave it out: --environment none");
+    checkLevels(plan);
     if (!plan.dfgTable || !brdf::isComposed(methods))
         return;
     const std::string_view D = methods.distribution->id;
@@ -318,7 +330,7 @@ void Planner::planLighting()
     plan.environmentLight = hasEnvironment && lit;
     plan.panorama = hasEnvironment && plan.settings.background == BackgroundKind::environment;
     const bool viewsTable = plan.settings.view && plan.settings.view->subject == ViewSubject::table;
-    plan.dfgTable = plan.environmentLight ||
+    plan.dfgTable = (plan.environmentLight && brdf::isComposed(plan.settings.methods)) ||
                     (lit && readsAlbedo(plan.settings.methods, compensates) && !plan.lights.empty()) ||
                     (lit && viewsTable);
     if (hasEnvironment && !lit)

@@ -118,6 +118,8 @@ void collectPoints(const CubeTree& tree, const vec3& centre, float radius, const
         if (cosine < -reach)
             continue;
         const float distance = std::max(0.0f, glm::length(node.direction - centre) - radius);
+        if (distance > opening.end + std::sqrt(2.0f) * side)
+            continue;
         const float scale2 = opening.width * opening.width + distance * distance;
         const bool fine = side <= opening.greatestSide && side * side <= kOpening * kOpening * scale2 &&
                           !(opening.leavesAtHorizon && cosine < reach);

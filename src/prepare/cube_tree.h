@@ -48,6 +48,7 @@ struct Opening
     float greatestSide;   // radians; larger nodes are opened in any case
     bool leavesAtHorizon; // nodes that the receivers' horizons may cut are opened to the leaves
     bool skipDark;        // nodes without energy are left out
+    float end = 2.0f;     // chord from the receivers beyond which the kernel is nothing: such nodes are left out
 };
 
 /// The points that light receivers within `radius` (chord) of the unit direction `centre`: nodes no larger than a fixed

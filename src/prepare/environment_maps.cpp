@@ -1,7 +1,9 @@
 #include "prepare/environment_maps.h"
 
+#include "brdf/phong_levels.h"
 #include "prepare/ggx_prefilter.h"
 #include "prepare/irradiance.h"
+#include "prepare/phong_prefilter.h"
 #include "prepare/radiance_cube.h"
 
 #include <algorithm>
@@ -11,6 +13,32 @@
 #include <utility>
 
 namespace torrance {
+namespace {
+
+/// A panorama as its light is summed: level 0 and both parts of it.
+struct Light
+{
+    CubeLevels levels; // level 0 alone
+    CubeTree base, excess;
+};
+
+Light lightOf(const Image& panorama, int size)
+{
+    assert(panorama.channels == 3 && panorama.width >= 1 && panorama.height >= 1);
+    assert(std::all_of(panorama.texels.begin(), panorama.texels.end(),
+                       [](float x) { return x >= 0.0f && std::isfinite(x); }));
+    RadianceCube cube = makeRadianceCube(panorama, size);
+    return {{size, 1, {std::move(cube.radiance)}},
+            buildCubeTree(size, std::move(cube.base)),
+            buildCubeTree(size, std::move(cube.excess))};
+}
+
+EnvironmentMaps withIrradiance(CubeLevels&& specular, const Light& light)
+{
+    return {std::move(specular), {kIrradianceSize, 1, {irradianceFaces(light.base, light.excess, kIrradianceSize)}}};
+}
+
+} // namespace
 
 double levelAlpha(int level, int levels)
 {
@@ -25,22 +53,24 @@ int cubeSizeFor(int panoramaWidth)
 
 EnvironmentMaps makeEnvironmentMaps(const Image& panorama)
 {
-    assert(panorama.channels == 3 && panorama.width >= 1 && panorama.height >= 1);
-    assert(std::all_of(panorama.texels.begin(), panorama.texels.end(),
-                       [](float x) { return x >= 0.0f && std::isfinite(x); }));
-    RadianceCube cube = makeRadianceCube(panorama, cubeSizeFor(panorama.width));
-    const CubeTree base = buildCubeTree(cube.size, std::move(cube.base));
-    const CubeTree excess = buildCubeTree(cube.size, std::move(cube.excess));
+    Light light = lightOf(panorama, cubeSizeFor(panorama.width));
+    CubeLevels specular = std::move(light.levels);
+    specular.levels = std::countr_zero(static_cast<unsigned>(specular.size / kLastLevelSize)) + 1;
+    for (int level = 1; level < specular.levels; ++level)
+        specular.data.push_back(
+            prefilterLevel(light.base, light.excess, specular.sizeOf(level), levelAlpha(level, specular.levels)));
+    return withIrradiance(std::move(specular), light);
+}
 
-    EnvironmentMaps maps;
-    maps.specular.size = cube.size;
-    maps.specular.levels = std::countr_zero(static_cast<unsigned>(cube.size / kLastLevelSize)) + 1;
-    maps.specular.data.push_back(std::move(cube.radiance));
-    for (int level = 1; level < maps.specular.levels; ++level)
-        maps.specular.data.push_back(
-            prefilterLevel(base, excess, maps.specular.sizeOf(level), levelAlpha(level, maps.specular.levels)));
-    maps.irradiance = {kIrradianceSize, 1, {irradianceFaces(base, excess, kIrradianceSize)}};
-    return maps;
+EnvironmentMaps makePhongMaps(const Image& panorama)
+{
+    Light light = lightOf(panorama, kPhongCubeSize);
+    CubeLevels specular = std::move(light.levels);
+    specular.levels = brdf::kPhongLevels;
+    for (int level = 1; level < specular.levels; ++level)
+        specular.data.push_back(
+            phongLevel(light.base, light.excess, specular.sizeOf(level), brdf::phongLevelExponent(level)));
+    return withIrradiance(std::move(specular), light);
 }
 
 } // namespace torrance

@@ -33,4 +33,8 @@ int cubeSizeFor(int panoramaWidth);
 /// panorama's within 0.5 %. The result depends on the panorama alone.
 EnvironmentMaps makeEnvironmentMaps(const Image& panorama);
 
+/// The same of the levels of source E: level i of 8 holds brdf::phongLevelExponent(i), and level 0 has kPhongCubeSize
+/// texels a side whatever the panorama.
+EnvironmentMaps makePhongMaps(const Image& panorama);
+
 } // namespace torrance

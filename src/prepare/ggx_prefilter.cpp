@@ -1,9 +1,7 @@
 #include "prepare/ggx_prefilter.h"
 
-#include "core/parallel.h"
-#include "prepare/sphere_kernel.h"
+#include "prepare/zonal_means.h"
 
-#include <algorithm>
 #include <cmath>
 
 namespace torrance {
@@ -30,8 +28,6 @@ double ggxKernelIntegral(double alpha)
 
 std::vector<float> prefilterLevel(const CubeTree& base, const CubeTree& excess, int size, double alpha)
 {
-    std::vector<float> texels(4 * cubeTexelIndex(kCubeFaces, 0, 0, size));
-    const auto integral = static_cast<float>(ggxKernelIntegral(alpha));
     const auto a2 = static_cast<float>(alpha * alpha);
     const Opening ofBaseNodes = {
         .width = static_cast<float>(2.0 * alpha), // theta at which the lobe's denominator has doubled
@@ -45,23 +41,7 @@ std::vector<float> prefilterLevel(const CubeTree& base, const CubeTree& excess, 
         const float d = a2 + (1.0f - a2) * q;
         return clampedCosine(1.0f - 2.0f * q, spread) / (d * d);
     };
-    const int blocks = size / kBlockSide;
-    parallelFor(static_cast<std::size_t>(kCubeFaces * blocks), 1, [&](std::size_t row) {
-        const int face = static_cast<int>(row) / blocks, y = static_cast<int>(row) % blocks * kBlockSide;
-        PointList points;
-        for (int x = 0; x < size; x += kBlockSide) {
-            const ReceiverBlock block(face, x, y, size);
-            KernelSums ofBase, ofExcess;
-            points.clear();
-            collectPoints(base, block.centre, block.radius, ofBaseNodes, points);
-            addPoints(block, points, kernel, ofBase);
-            points.clear();
-            collectPoints(excess, block.centre, block.radius, ofExcessNodes, points);
-            addPoints(block, points, kernel, ofExcess);
-            putMeans(ofBase, ofExcess, integral, face, x, y, size, texels.data());
-        }
-    });
-    return texels;
+    return zonalMeans(base, excess, size, {ofBaseNodes, ofExcessNodes}, ggxKernelIntegral(alpha), kernel);
 }
 
 } // namespace torrance

@@ -1,6 +1,7 @@
 // The source systems on the command line: what beside them would have no meaning is refused in one line.
 #include "program.h"
 
+#include <filesystem>
 #include <fstream>
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
@@ -46,6 +47,30 @@ TEST_F(Sources, RefuseAnEnvironmentThatTheyDoNotDefine)
 {
     refused({"--preset", "ue4-direct", "--environment", "studio"}, "--environment none");
     refused({"--preset", "ue4-direct", "--environment-intensity", "2"}, "nothing to turn or to scale");
+}
+
+TEST_F(Sources, RefuseAnEnvironmentThroughTheLevelsOfAnotherModel)
+{
+    refused({"--preset", "torrance-sparrow-blinn", "-e", "furnace", "--environment-specular", "split_sum"},
+            "--environment-specular");
+    refused({"-e", "furnace", "--environment-specular", "phong_levels"}, "--environment-specular");
+}
+
+TEST_F(Sources, OfTheReferenceAreIntegratedOverAnEnvironmentOrRefused)
+{
+    const std::string out = folder.file("r.exr");
+    const auto run = [&](const std::string& preset) {
+        return runTorrance(
+            {"reference", "demo", "-r", "16x16", "--samples", "64", "-e", "furnace", "--preset", preset, "-o", out});
+    };
+    const Outcome phong = run("phong"); // its ambient part has no integral
+    EXPECT_EQ(phong.exitCode, 2);
+    EXPECT_TRUE(isOneLine(phong.errors)) << phong.errors;
+    EXPECT_NE(phong.errors.find("--environment none"), std::string::npos) << phong.errors;
+    EXPECT_TRUE(folder.names().empty());
+    const Outcome blinn = run("torrance-sparrow-blinn");
+    EXPECT_EQ(blinn.exitCode, 0) << blinn.errors;
+    EXPECT_TRUE(std::filesystem::exists(out));
 }
 
 TEST_F(Sources, RefuseLightsThatAreNone)

@@ -2,6 +2,8 @@
 
 #include "brdf/albedo.h"
 #include "brdf/irradiance_window.h"
+#include "brdf/model_environment.h"
+#include "brdf/phong_levels.h"
 #include "math/pixel_rotation.h"
 #include "math/spherical_harmonics.h"
 
@@ -14,7 +16,7 @@ std::vector<const Method*> rowsOf(Slot slot)
 {
     std::vector<const Method*> rows;
     for (const Method& method : allMethods())
-        if (method.slot == slot)
+        if (method.slot == slot && method.id != "phong_levels") // source E's, judged by itself
             rows.push_back(&method);
     return rows;
 }
@@ -101,6 +103,59 @@ TEST(EnvironmentRows, TheDominantDirectionIsTheMirrorsForSmoothSurfaces)
     EXPECT_LE(glm::length(Es_split_sum_dominant(query) / mirror - dvec3(1)), 1e-3); // alpha = 4e-4
     query.perceptualRoughness = 0.8;
     EXPECT_GT(glm::length(Es_split_sum_dominant(query) / Es_split_sum(query) - dvec3(1)), 0.01);
+}
+
+// The exponents of source E at rough = i / 7; rounded by hand.
+TEST(PhongLevels, HoldTheExponentsOfTheirRoughness)
+{
+    EXPECT_NEAR(phongLevelExponent(1), 4800.0, 1e-9); // 2 * 7^4 - 2
+    EXPECT_NEAR(phongLevelExponent(2), 298.125, 1e-10);
+    EXPECT_NEAR(phongLevelExponent(7), 0.0, 1e-14);
+    EXPECT_EQ(phongLevel(1.0), 7.0);
+    EXPECT_NEAR(phongLevel(0.0), 0.07, 1e-14) << "roughness of 0.01 or more";
+}
+
+// The mean of the cosine under (s + 1) / (2 pi) cos^s is (s + 1) / (s + 2), that of its square (s + 1) / (s + 3).
+TEST(PhongLevels, OfLowOrderLightAreTheClosedForm)
+{
+    EnvironmentQuery query = queryAt(0.6, 0.0);
+    const dvec3 mirror = 2.0 * 0.6 * query.n - query.v;
+    query.radiance = [&](const dvec3& d) {
+        return dvec3(1, 1 + glm::dot(d, mirror), std::pow(glm::dot(d, mirror), 2));
+    };
+    const auto closedForm = [](double level) {
+        const double s = 2.0 * std::pow(7.0 / level, 4) - 2.0;
+        return dvec3(1, 1 + (s + 1) / (s + 2), (s + 1) / (s + 3));
+    };
+    const double schlick = std::pow(0.4, 5);
+    const dvec3 F = query.f0 + (dvec3(1) - query.f0) * schlick;
+    for (const double level : {1.0, 2.0, 4.0, 7.0}) {
+        query.perceptualRoughness = level / 7.0;
+        EXPECT_LE(glm::length(phongRadiance(query) - closedForm(level)), 1e-5) << level;
+        EXPECT_LE(glm::length(Es_phong_levels(query) - F * closedForm(level)), 1e-5) << level;
+    }
+    query.perceptualRoughness = 2.25 / 7.0; // linear between levels
+    EXPECT_LE(glm::length(phongRadiance(query) - (0.75 * closedForm(2) + 0.25 * closedForm(3))), 1e-5);
+}
+
+// Light of radiance 1: reflectivity 0 is Lambert alone, a metal returns R0 = 1 times its colour at every angle, a
+// dielectric F + (1 - F) c.
+TEST(SourceEnvironment, OfEvenLightIsTheSourcesMixture)
+{
+    Preset preset = *findPreset("torrance-sparrow-blinn");
+    EnvironmentQuery query = queryAt(0.3, 0.5);
+    query.radiance = [](const dvec3&) { return dvec3(1); };
+    const dvec3 c(0.9, 0.5, 0.1);
+    const auto returned = [&](double metalness) {
+        return environment_torrance_sparrow_blinn(preset, query, c, metalness);
+    };
+    const double F = 0.04 + 0.96 * std::pow(0.7, 5);
+    EXPECT_LE(glm::length(returned(1.0) - c), 1e-12);
+    EXPECT_LE(glm::length(returned(0.0) - (dvec3(F) + (1 - F) * c)), 1e-12);
+    preset.options.reflectivity = 0.25;
+    EXPECT_LE(glm::length(returned(0.0) - (0.25 * (dvec3(F) + (1 - F) * c) + 0.75 * c)), 1e-12);
+    preset.options.reflectivity = 0.0;
+    EXPECT_LE(glm::length(returned(1.0) - c), 1e-12);
 }
 
 std::array<dvec3, 9> harmonicsOfSun(const dvec3& sun)

@@ -34,6 +34,8 @@ constexpr RowTest kRowTests[] = {
      "EveryMethodIsItsFormula"},
     {Slot::environmentSpecular, "", "tests/image/environment_methods.cpp", "EnvironmentSpecular",
      "EveryMethodIsItsFormulaUnderARealEnvironment"},
+    {Slot::environmentSpecular, "phong_levels", "tests/image/source_environment.cpp", "SourceEnvironment",
+     "EveryPixelIsTheFormulaUnderARealEnvironment"},
     {Slot::dfg, "", "tests/unit/brdf/dfg.cpp", "Dfg", "EveryTableIsARow"},
     {Slot::areaLight, "point", "tests/unit/brdf/area_light.cpp", "AreaLight",
      "PointFollowsTheInverseSquareAndTheCosine"},

@@ -1,5 +1,6 @@
 #include "prepare/environment_maps.h"
 
+#include "brdf/phong_levels.h"
 #include "core/parallel.h"
 #include "math/cube.h"
 #include "math/latlong.h"
@@ -231,6 +232,25 @@ TEST_P(EnvironmentMapsOfSuns, PrefilteredLevelsAreTheZonalMeans)
                          7 - 2 * level, 0.07 * mean, [&](double cosine) { return splitSumKernel(cosine, alpha); });
         EXPECT_LT(worst.error, 0.01) << "level " << level << " face " << worst.face << " texel " << worst.x << ", "
                                      << worst.y;
+    }
+}
+
+// The same of the cosine powers of source E.
+TEST(EnvironmentMaps, PhongLevelsAreTheZonalMeans)
+{
+    const Image image = landscapeWithSun(256, 1e6f);
+    const EnvironmentMaps maps = makePhongMaps(image);
+    ASSERT_EQ(maps.specular.levels, brdf::kPhongLevels);
+    const double mean = energyOf(image) / (4.0 * kPi);
+    for (int level = 1; level < maps.specular.levels; ++level) {
+        const double s = 2.0 * std::pow(7.0 / level, 4) - 2.0; // rough = level / 7 = sqrt(sqrt(2 / (s + 2)))
+        const int size = maps.specular.sizeOf(level);
+        const std::vector<float>& texels = maps.specular.data[static_cast<std::size_t>(level)];
+        const Worst worst = worstOfLevel(image, texels, size, std::max(1, size / 4), 0.07 * mean,
+                                         [&](double cosine) { return std::pow(cosine, s); });
+        EXPECT_LT(worst.error, 0.01) << "level " << level << " face " << worst.face << " texel " << worst.x << ", "
+                                     << worst.y;
+        EXPECT_NEAR(energyOf(texels, size) / energyOf(image), 1.0, 0.01) << "level " << level;
     }
 }
 

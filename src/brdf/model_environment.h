@@ -1,0 +1,15 @@
+// What the models of source systems make of light from an environment: one formula per model whose source defines one.
+#pragma once
+
+#include "brdf/light_query.h"
+
+namespace torrance::brdf {
+
+struct Preset;
+
+/// Source E: radiance towards v. Reads n, v, radiance and perceptualRoughness of the query; R0 follows from the
+/// metalness (material_mapping.h). NoV >= 0.
+dvec3 environment_torrance_sparrow_blinn(const Preset& preset, EnvironmentQuery query, const dvec3& color,
+                                         double metalness);
+
+} // namespace torrance::brdf
