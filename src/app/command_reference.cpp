@@ -4,7 +4,7 @@
 #include "app/environment_option.h"
 #include "app/interruption.h"
 #include "app/layer_output.h"
-#include "app/light_option.h"
+#include "app/lit_scene.h"
 #include "app/method_options.h"
 #include "app/option_value.h"
 #include "app/output_options.h"
@@ -303,11 +303,11 @@ ReferencePicture compute(Session& session, const std::string& input, const Scene
 Json draw(Session& session, const std::string& input, const std::string& output)
 {
     Phases& phases = session.phases;
-    LoadedScene loaded = phases.time("load", [&] { return loadChosenScene(session.options.scene, input); });
-    Scene& scene = loaded.scene;
-    addChosenLights(session.options.light, session.settings.methods, scene);
-    giveLightsTheirRadius(session.options.scene, scene);
-    scene.environment = session.environment;
+    const LoadedScene loaded = phases.time("load", [&] {
+        return loadLitScene(session.options.scene, session.options.light, session.settings.methods, session.environment,
+                            input);
+    });
+    const Scene& scene = loaded.scene;
     warnOfWhatIsLeftOut(scene, input);
     const double aspect = double(session.settings.width) / session.settings.height;
     const Camera camera = chooseCamera(cameraOptionsFor(session.options.camera, input), scene, aspect);

@@ -1,6 +1,7 @@
 #include "app/stability_scene.h"
 
 #include "app/device_option.h"
+#include "app/lit_scene.h"
 #include "app/picture_options.h"
 #include "app/progress_line.h"
 #include "core/atomic_write.h"
@@ -60,9 +61,8 @@ ExitCode runSceneTrialsOf(const SceneTrialOptions& o, const std::string& deviceC
                                .width = size.x,
                                .height = size.y,
                                .background = BackgroundKind::transparent};
-    Subject subject = {.scene = loadChosenScene(o.scene, input).scene, .camera = {}};
-    giveLightsTheirRadius(o.scene, subject.scene);
-    subject.scene.environment = loadChosenEnvironment(o.environment, settings.methods);
+    const std::optional<Environment> environment = loadChosenEnvironment(o.environment, settings.methods);
+    Subject subject = {.scene = loadLitScene(o.scene, {}, settings.methods, environment, input).scene, .camera = {}};
     subject.camera =
         chooseCamera(cameraOptionsFor(o.camera, input), subject.scene, static_cast<double>(size.x) / size.y);
 
