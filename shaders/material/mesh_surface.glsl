@@ -11,7 +11,6 @@
 #endif
 
 layout(location = 0) in vec3 inPosition;
-layout(location = 6) flat in uvec2 inIds;
 #ifdef NORMALS
 layout(location = 1) in vec3 inNormal;
 #endif
@@ -59,7 +58,7 @@ layout(set = 0, binding = kBindOcclusion) uniform sampler2D occlusionTexture;
 layout(set = 0, binding = kBindEmissive) uniform sampler2D emissiveTexture;
 #endif
 
-vec4 readBaseColor(Material material)
+vec4 readBaseColor()
 {
     vec4 color = material.baseColorFactor;
 #ifdef BASE_COLOR_UV
@@ -83,7 +82,7 @@ vec3 readGeometricNormal(vec3 view)
     return view;
 }
 
-vec3 readNormal(Material material, vec3 geometricNormal)
+vec3 readNormal(vec3 geometricNormal)
 {
 #ifdef NORMALS
     if (dot(inNormal, inNormal) == 0.0)
@@ -121,17 +120,15 @@ float antialiasedRoughness(Surface s)
 
 Surface readSurface()
 {
-    Material material = materials[inIds.x];
-    vec4 color = readBaseColor(material);
+    vec4 color = readBaseColor();
 
     Surface s;
     s.position = inPosition;
     s.view = directionOf(frame.towardsEye - frame.eyeWeight * inPosition);
     s.geometricNormal = readGeometricNormal(s.view);
-    s.normal = bendNormal(readNormal(material, s.geometricNormal), s.view);
+    s.normal = bendNormal(readNormal(s.geometricNormal), s.view);
     s.baseColor = color.rgb;
     s.alpha = color.a;
-    s.ids = inIds;
 
     s.perceptualRoughness = material.roughnessFactor;
     s.metallic = material.metallicFactor;

@@ -22,7 +22,7 @@ float alphaOf(Surface s)
 }
 
 #ifdef PUNCTUAL_LIGHTS
-layout(set = 0, binding = kBindLights, scalar) readonly buffer LightBuffer { Light lights[]; };
+layout(set = 0, binding = kBindLights, scalar) uniform LightBlock { Light lights[kMaxLights]; };
 
 // The surface's terms for light from `l`, unit.
 BrdfTerms reflectedTerms(Surface s, float alpha, LobeAlbedo lobe, vec3 l)

@@ -6,9 +6,7 @@
 #endif
 #include "shared/instance.h"
 
-layout(set = 0, binding = kBindInstances, scalar) readonly buffer InstanceBuffer { Instance instances[]; };
-
-layout(location = 6) flat in uint inInstance;
+layout(set = 0, binding = kBindInstance, scalar) uniform InstanceBlock { Instance instance; };
 
 struct PixelRay
 {
@@ -63,7 +61,6 @@ Hit hitSquare(PixelRay ray, mat3 axes, vec3 center, float size)
 
 Surface readSurface()
 {
-    Instance instance = instances[inInstance];
     float size = length(instance.linear[0]); // a shape's scale is uniform
     PixelRay ray = pixelRay(gl_FragCoord.xy);
 #ifdef SURFACE_SPHERE
@@ -86,7 +83,6 @@ Surface readSurface()
     vec4 clip = frame.clipFromEye * vec4(hit.position, 1.0);
     gl_FragDepth = clip.z / clip.w;
 
-    Material material = materials[instance.material];
     Surface s;
     s.position = hit.position;
     s.geometricNormal = hit.normal;
@@ -112,6 +108,5 @@ Surface readSurface()
 #endif
     s.occlusion = 1.0;
     s.emissive = material.emissiveFactor;
-    s.ids = uvec2(instance.material, instance.object);
     return s;
 }

@@ -15,7 +15,6 @@ struct Surface
     float ior;       // of the dielectric part
     float occlusion; // 1 = open
     vec3 emissive;
-    uvec2 ids; // material, object
 };
 
 #endif

@@ -1,25 +1,19 @@
-// Where nothing was drawn: the panorama, or a colour.
+// Where nothing was drawn: the panorama.
 #include "selected.glsl"
 #include "shared/bindings.h"
 #include "shared/frame.h"
 #include "environment/panorama.glsl"
 
-layout(set = 0, binding = kBindFrame, scalar) readonly buffer FrameBuffer { Frame frame; };
-#ifdef PANORAMA
+layout(set = 0, binding = kBindFrame, scalar) uniform FrameBlock { Frame frame; };
 layout(set = 0, binding = kBindPanorama) uniform sampler2D panorama;
-#endif
 
 layout(location = 0) out vec4 outColor;
 
 void main()
 {
-#ifdef PANORAMA
     vec3 q = frame.corner + gl_FragCoord.x * frame.across + gl_FragCoord.y * frame.down;
     vec3 direction = frame.environmentFromWorld * mix(q, frame.forward, frame.orthographic);
     // The level is given, not derived: derivatives break at the seam where u goes from 1 to 0.
     vec3 radiance = textureLod(panorama, panoramaUv(direction), frame.panoramaLevel).rgb;
     outColor = vec4(radiance * frame.environmentIntensity, 1.0);
-#else
-    outColor = frame.backgroundColor;
-#endif
 }

@@ -13,7 +13,7 @@ layout(location = 3) out vec4 outEmissiveOcclusion;  // linear; 1 = open
 void main()
 {
     Surface s = readSurface();
-    applyAlphaMode(s, materials[s.ids.x].alphaCutoff);
+    applyAlphaMode(s, material.alphaCutoff);
     outPositionClass = vec4(s.position, float(kLightingClass + 1u));
     outNormalRoughness = vec4(s.normal, s.perceptualRoughness);
     outBaseColorMetallic = vec4(s.baseColor, s.metallic);

@@ -6,7 +6,7 @@
 #include "material/direction.glsl"
 #include "material/surface.glsl"
 
-layout(set = 0, binding = kBindFrame, scalar) readonly buffer FrameBuffer { Frame frame; };
+layout(set = 0, binding = kBindFrame, scalar) uniform FrameBlock { Frame frame; };
 
 #include "material/shade.glsl"
 
@@ -36,7 +36,6 @@ Surface readGBuffer(ivec2 pixel, vec3 position)
     s.emissive = emissive.rgb;
     s.occlusion = emissive.w;
     s.alpha = 1.0;
-    s.ids = uvec2(0u);
     return s;
 }
 

@@ -8,6 +8,6 @@ layout(location = 0) out vec4 outColor;
 void main()
 {
     Surface s = readSurface();
-    applyAlphaMode(s, materials[s.ids.x].alphaCutoff);
+    applyAlphaMode(s, material.alphaCutoff);
     outColor = vec4(shade(s) * s.alpha, s.alpha);
 }

@@ -3,8 +3,8 @@
 #include "shared/frame.h"
 #include "shared/material.h"
 
-layout(set = 0, binding = kBindFrame, scalar) readonly buffer FrameBuffer { Frame frame; };
-layout(set = 0, binding = kBindMaterials, scalar) readonly buffer MaterialBuffer { Material materials[]; };
+layout(set = 0, binding = kBindFrame, scalar) uniform FrameBlock { Frame frame; };
+layout(set = 0, binding = kBindMaterial, scalar) uniform MaterialBlock { Material material; };
 
 #if defined(SURFACE_SPHERE) || defined(SURFACE_PLANE)
 #include "material/shape_surface.glsl"

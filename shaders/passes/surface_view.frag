@@ -9,6 +9,6 @@ layout(location = 0) out vec4 outColor;
 void main()
 {
     Surface s = readSurface();
-    applyAlphaMode(s, materials[s.ids.x].alphaCutoff);
+    applyAlphaMode(s, material.alphaCutoff);
     outColor = vec4(viewedTerm(s) * s.alpha, s.alpha);
 }

@@ -7,8 +7,8 @@
 SHARED_BEGIN
 
 SHARED_UINT(kBindFrame, 0);
-SHARED_UINT(kBindInstances, 1);
-SHARED_UINT(kBindMaterials, 2);
+SHARED_UINT(kBindInstance, 1);  // of the analytic shape that is drawn
+SHARED_UINT(kBindMaterial, 2);  // of what is drawn
 SHARED_UINT(kBindLights, 3);
 SHARED_UINT(kBindBaseColor, 4);
 SHARED_UINT(kBindMetallicRoughness, 5);

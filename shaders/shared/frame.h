@@ -26,7 +26,6 @@ struct Frame
     mat3 environmentFromWorld; // rotation
     float environmentIntensity;
     float environmentLastLevel; // of the prefiltered chain
-    vec4 backgroundColor;       // premultiplied
     vec3 irradianceHarmonics[9]; // irradiance / pi in shBasis's order, for environment_diffuse sh9
     float panoramaLevel;        // mip of the panorama that has about one texel a pixel
     uint picture;               // number of this picture among those whose mean is the result

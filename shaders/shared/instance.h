@@ -5,6 +5,7 @@
 
 SHARED_BEGIN
 
+// Of meshes an attribute of each instance, of analytic shapes a uniform block.
 struct Instance
 {
     mat3 linear;      // object to eye-relative, world axes

@@ -61,8 +61,8 @@ void declare(CLI::App& app, Options& o)
            "Surface parameters as layers of an EXR or as files beside the picture: all, or names separated by commas")
         ->group("Output")
         ->type_name("NAMES");
-    addChoice(app, "--path", o.path, {"forward", "deferred"},
-              "Shade surfaces as they are drawn (default), or from a G-buffer of floats, once a pixel")
+    addChoice(app, "--path", o.path, {"forward", "prepass", "deferred"},
+              "Shade surfaces as they are drawn, draw depth first, or shade from a G-buffer of floats")
         ->group("Methods");
     app.add_flag("--explain", o.explain, "Print what is computed for the scene, what is left out and why");
     declareCameraOptions(app, o.camera);
@@ -91,6 +91,11 @@ double bytesPerPixel(const Options& o)
     return 16.0 * (colorTargets + 2.0) + 4.0;
 }
 
+RenderPath pathOf(const std::string& name)
+{
+    return name == "prepass" ? RenderPath::prepass : name == "deferred" ? RenderPath::deferred : RenderPath::forward;
+}
+
 Settings settingsOf(const Options& o)
 {
     const ivec2 size = chosenSize(o.picture);
@@ -113,7 +118,7 @@ Settings settingsOf(const Options& o)
                          .lightSamples = o.lightSamples.value_or(Settings().lightSamples),
                          .background = background.kind,
                          .backgroundColor = background.color,
-                         .path = o.path == "deferred" ? RenderPath::deferred : RenderPath::forward,
+                         .path = pathOf(o.path),
                          .layers = !o.layers.empty()};
     chooseView(o.view, o.output, settings);
     return settings;

@@ -7,10 +7,10 @@
 namespace torrance::gpu {
 namespace {
 
-std::vector<ShaderBinding> mergedBindings(const CompiledShader& vertex, const CompiledShader& fragment)
+std::vector<ShaderBinding> mergedBindings(const CompiledShader& vertex, const CompiledShader* fragment)
 {
     std::vector<ShaderBinding> all = vertex.bindings;
-    for (const ShaderBinding& binding : fragment.bindings)
+    for (const ShaderBinding& binding : fragment ? fragment->bindings : std::vector<ShaderBinding>())
         if (std::ranges::find(all, binding) == all.end())
             all.push_back(binding);
     std::ranges::sort(all, {}, &ShaderBinding::binding);
@@ -37,7 +37,7 @@ vk::PipelineDepthStencilStateCreateInfo depthState(DepthUse use)
     // Reversed depth: 1 at the near plane, 0 at infinity and where nothing was drawn.
     return {.depthTestEnable = tests,
             .depthWriteEnable = use == DepthUse::testAndWrite,
-            .depthCompareOp = use == DepthUse::untouched ? vk::CompareOp::eEqual : vk::CompareOp::eGreater};
+            .depthCompareOp = use == DepthUse::equal ? vk::CompareOp::eEqual : vk::CompareOp::eGreaterOrEqual};
 }
 
 vk::PipelineColorBlendAttachmentState blendState(Blend blend)
@@ -81,11 +81,12 @@ struct Specialization
     }
 };
 
-vk::raii::Pipeline makeHandle(const Device& device, const CompiledShader& vertex, const CompiledShader& fragment,
+vk::raii::Pipeline makeHandle(const Device& device, const CompiledShader& vertex, const CompiledShader* fragment,
                               const PipelineDescription& description, const vk::raii::PipelineLayout& layout)
 {
     const vk::raii::ShaderModule vertexModule = makeModule(device, vertex),
-                                 fragmentModule = makeModule(device, fragment);
+                                 fragmentModule =
+                                     fragment ? makeModule(device, *fragment) : vk::raii::ShaderModule(nullptr);
     const Specialization specialization(description.constants);
     const std::array stages = {vk::PipelineShaderStageCreateInfo{
                                    .stage = vk::ShaderStageFlagBits::eVertex, .module = *vertexModule, .pName = "main"},
@@ -97,7 +98,10 @@ vk::raii::Pipeline makeHandle(const Device& device, const CompiledShader& vertex
     std::vector<vk::VertexInputAttributeDescription> attributes;
     for (const VertexStream& stream : description.streams) {
         const auto index = static_cast<std::uint32_t>(bindings.size());
-        bindings.push_back({.binding = index, .stride = stream.stride});
+        bindings.push_back(
+            {.binding = index,
+             .stride = stream.stride,
+             .inputRate = stream.perInstance ? vk::VertexInputRate::eInstance : vk::VertexInputRate::eVertex});
         attributes.push_back({.location = stream.location, .binding = index, .format = stream.format});
     }
     const vk::PipelineVertexInputStateCreateInfo vertexInput = {
@@ -123,7 +127,7 @@ vk::raii::Pipeline makeHandle(const Device& device, const CompiledShader& vertex
         .depthAttachmentFormat = description.depthFormat.value_or(vk::Format::eUndefined)};
     vk::raii::Pipeline pipeline(device.handle, nullptr,
                                 vk::GraphicsPipelineCreateInfo{.pNext = &rendering,
-                                                               .stageCount = stages.size(),
+                                                               .stageCount = fragment ? 2u : 1u,
                                                                .pStages = stages.data(),
                                                                .pVertexInputState = &vertexInput,
                                                                .pInputAssemblyState = &assembly,
@@ -138,10 +142,8 @@ vk::raii::Pipeline makeHandle(const Device& device, const CompiledShader& vertex
     return pipeline;
 }
 
-} // namespace
-
-Pipeline makePipeline(const Device& device, const CompiledShader& vertex, const CompiledShader& fragment,
-                      const PipelineDescription& description)
+Pipeline make(const Device& device, const CompiledShader& vertex, const CompiledShader* fragment,
+              const PipelineDescription& description)
 {
     Pipeline pipeline;
     pipeline.bindings = mergedBindings(vertex, fragment);
@@ -155,6 +157,19 @@ Pipeline makePipeline(const Device& device, const CompiledShader& vertex, const 
     return pipeline;
 }
 
+} // namespace
+
+Pipeline makePipeline(const Device& device, const CompiledShader& vertex, const CompiledShader& fragment,
+                      const PipelineDescription& description)
+{
+    return make(device, vertex, &fragment, description);
+}
+
+Pipeline makeDepthPipeline(const Device& device, const CompiledShader& vertex, const PipelineDescription& description)
+{
+    return make(device, vertex, nullptr, description);
+}
+
 Bindings::Item& Bindings::item(std::uint32_t binding)
 {
     const auto found = std::ranges::find(items, binding, &Item::binding);
@@ -164,9 +179,9 @@ Bindings::Item& Bindings::item(std::uint32_t binding)
     return items.back();
 }
 
-void Bindings::set(std::uint32_t binding, const Buffer& buffer)
+void Bindings::set(std::uint32_t binding, const Buffer& buffer, vk::DeviceSize offset, vk::DeviceSize range)
 {
-    item(binding).buffer = vk::DescriptorBufferInfo{.buffer = *buffer.handle, .offset = 0, .range = VK_WHOLE_SIZE};
+    item(binding).buffer = vk::DescriptorBufferInfo{.buffer = *buffer.handle, .offset = offset, .range = range};
 }
 
 void Bindings::set(std::uint32_t binding, const DeviceImage& image, const vk::raii::Sampler& sampler)

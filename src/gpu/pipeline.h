@@ -18,14 +18,15 @@ struct VertexStream
     std::uint32_t location = 0;
     vk::Format format = vk::Format::eR32G32B32Sfloat;
     std::uint32_t stride = 12;
+    bool perInstance = false; // one element an instance, not a vertex
 };
 
 enum class DepthUse
 {
     none,
-    testAndWrite, // reversed: greater is nearer
+    testAndWrite, // reversed: greater is nearer, and of surfaces at one depth the last that is drawn is seen
     testOnly,
-    untouched, // passes where nothing has been drawn (depth still 0)
+    equal, // passes at the depth that lies there already: a surface drawn again, or 0 where nothing was drawn
 };
 
 enum class Blend
@@ -59,11 +60,15 @@ struct Pipeline
 Pipeline makePipeline(const Device& device, const CompiledShader& vertex, const CompiledShader& fragment,
                       const PipelineDescription& description);
 
+/// The same without a fragment shader: it draws depth alone.
+Pipeline makeDepthPipeline(const Device& device, const CompiledShader& vertex, const PipelineDescription& description);
+
 /// What a pass can bind; only the bindings that a pipeline has are pushed.
 class Bindings
 {
 public:
-    void set(std::uint32_t binding, const Buffer& buffer);
+    void set(std::uint32_t binding, const Buffer& buffer, vk::DeviceSize offset = 0,
+             vk::DeviceSize range = VK_WHOLE_SIZE);
     void set(std::uint32_t binding, const DeviceImage& image, const vk::raii::Sampler& sampler);
     /// Throws std::logic_error where the pipeline has a binding that was not set.
     void push(const vk::raii::CommandBuffer& commands, const Pipeline& pipeline) const;

@@ -65,6 +65,9 @@ std::vector<ShaderBinding> reflect(glslang::TProgram& program)
     for (int i = 0; i < program.getNumBufferBlocks(); ++i)
         bindings.push_back(
             {static_cast<std::uint32_t>(program.getBufferBlock(i).getBinding()), vk::DescriptorType::eStorageBuffer});
+    for (int i = 0; i < program.getNumUniformBlocks(); ++i)
+        bindings.push_back(
+            {static_cast<std::uint32_t>(program.getUniformBlock(i).getBinding()), vk::DescriptorType::eUniformBuffer});
     for (int i = 0; i < program.getNumUniformVariables(); ++i) {
         const glslang::TObjectReflection& uniform = program.getUniform(i);
         if (uniform.getType()->getBasicType() == glslang::EbtSampler)

@@ -94,10 +94,6 @@ shared::Frame makeFrame(const Scene& scene, const ShadingPlan& plan, const Camer
         frame.environmentLastLevel = static_cast<float>(std::max(environmentLevels - 1, 0));
         frame.panoramaLevel = panoramaLevel(frame, panoramaWidth);
     }
-    if (plan.settings.background == BackgroundKind::color)
-        frame.backgroundColor = vec4(vec3(plan.settings.backgroundColor), 1.0f);
-    else if (plan.settings.background == BackgroundKind::environment)
-        frame.backgroundColor = vec4(0.0f, 0.0f, 0.0f, 1.0f); // no environment: black
     return frame;
 }
 

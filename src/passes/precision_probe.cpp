@@ -86,7 +86,7 @@ std::vector<dvec3> draw(const gpu::Device& device, const PrecisionProbe& probe,
     gpu::Commands commands(device);
     commands.use({}, {gpu::use(table, gpu::Access::shaderRead)});
     const gpu::DeviceImage* const targets[] = {&values, &rests};
-    beginRendering(commands, targets, nullptr, LoadTarget::clear, LoadTarget::clear);
+    beginRendering(commands, targets, nullptr, kClearToNothing, LoadTarget::clear);
     gpu::Bindings bindings;
     bindings.set(shared::kBindProbeRows, table);
     commands.buffer.bindPipeline(vk::PipelineBindPoint::eGraphics, *probe.pipeline.handle);

@@ -50,7 +50,7 @@ Image draw(const gpu::Device& device, const gpu::Pipeline& pipeline, const std::
     if (albedos)
         commands.use({gpu::use(albedos->image, gpu::Access::sampled)});
     const gpu::DeviceImage* const targets[] = {&target};
-    beginRendering(commands, targets, nullptr, LoadTarget::clear, LoadTarget::clear);
+    beginRendering(commands, targets, nullptr, kClearToNothing, LoadTarget::clear);
     gpu::Bindings bindings;
     bindings.set(shared::kBindProbeRows, table);
     if (albedos)

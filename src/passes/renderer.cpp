@@ -4,6 +4,7 @@
 #include "image/reconstruction.h"
 #include "passes/deferred_pass.h"
 #include "passes/frame_data.h"
+#include "passes/frame_inputs.h"
 #include "passes/layers.h"
 #include "passes/sampler.h"
 #include "passes/targets.h"
@@ -17,81 +18,19 @@
 namespace torrance {
 namespace {
 
-template <typename T>
-std::span<const std::byte> bytesOf(const std::vector<T>& items)
+// What stands behind the scene where it is no panorama.
+ClearColor backgroundClear(const Settings& settings)
 {
-    return std::as_bytes(std::span(items));
-}
-
-// What differs from camera to camera, on the device.
-struct ViewBuffers
-{
-    gpu::Buffer frame;
-    gpu::Buffer instances;
-    gpu::Buffer lights;
-};
-
-ViewBuffers makeViewBuffers(const gpu::Device& device, const DeviceScene& scene, const Camera& camera,
-                            const dvec2& offset, int picture)
-{
-    constexpr auto kUsage = vk::BufferUsageFlagBits::eStorageBuffer;
-    const auto& environment = scene.environment;
-    const int levels = environment.specular ? static_cast<int>(environment.specular->shape.mips) : 0;
-    const int panoramaWidth = environment.panorama ? static_cast<int>(environment.panorama->shape.width) : 0;
-    shared::Frame frame = makeFrame(scene.scene, scene.plan, camera, offset, levels, panoramaWidth);
-    std::ranges::copy(environment.harmonics, frame.irradianceHarmonics);
-    frame.picture = static_cast<std::uint32_t>(picture);
-    const std::vector frames = {frame};
-    const dvec3 eye = cameraPosition(camera);
-    return {.frame = gpu::makeBuffer(device, bytesOf(frames), kUsage, "frame"),
-            .instances =
-                gpu::makeBuffer(device, bytesOf(makeInstances(scene.plan, scene.meshes, eye)), kUsage, "instances"),
-            .lights = gpu::makeBuffer(device, bytesOf(makeLights(scene.plan, eye)), kUsage, "lights")};
+    if (settings.background == BackgroundKind::transparent)
+        return kClearToNothing;
+    const dvec3 color = settings.background == BackgroundKind::color ? settings.backgroundColor : dvec3(0.0);
+    return vec4(vec3(color), 1.0f); // of an environment that is not there: black
 }
 
 dvec3 forwardOf(const Camera& camera)
 {
     const dmat4 view = viewFromWorld(camera);
     return -dvec3(view[0].z, view[1].z, view[2].z);
-}
-
-gpu::Bindings sceneBindings(const DeviceScene& scene, const ViewBuffers& view, const vk::raii::Sampler& table,
-                            const vk::raii::Sampler& panorama)
-{
-    gpu::Bindings bindings;
-    bindings.set(shared::kBindFrame, view.frame);
-    bindings.set(shared::kBindInstances, view.instances);
-    bindings.set(shared::kBindLights, view.lights);
-    bindings.set(shared::kBindMaterials, scene.materials);
-    const EnvironmentImages& environment = scene.environment;
-    if (environment.specular)
-        bindings.set(shared::kBindEnvironmentSpecular, *environment.specular, table);
-    if (environment.diffuse)
-        bindings.set(shared::kBindEnvironmentDiffuse, *environment.diffuse, table);
-    if (environment.radiance)
-        bindings.set(shared::kBindEnvironmentRadiance, *environment.radiance, table);
-    if (environment.dfg)
-        bindings.set(shared::kBindDfg, *environment.dfg, table);
-    if (environment.panorama)
-        bindings.set(shared::kBindPanorama, *environment.panorama, panorama);
-    return bindings;
-}
-
-// Everything of the scene that a frame's shaders read.
-void useScene(gpu::Commands& commands, const DeviceScene& scene, const ViewBuffers& view)
-{
-    std::vector<gpu::ImageUse> images = scene.textures.uses();
-    const EnvironmentImages& e = scene.environment;
-    for (const gpu::DeviceImage* image : {e.specular, e.diffuse, e.radiance, e.dfg, e.panorama})
-        if (image)
-            images.push_back(gpu::use(*image, gpu::Access::sampled));
-    const std::array buffers = {gpu::use(view.frame, gpu::Access::shaderRead),
-                                gpu::use(view.instances, gpu::Access::shaderRead),
-                                gpu::use(view.lights, gpu::Access::shaderRead),
-                                gpu::use(scene.materials, gpu::Access::shaderRead),
-                                gpu::use(scene.meshes.vertices, gpu::Access::vertexRead),
-                                gpu::use(scene.meshes.indices, gpu::Access::vertexRead)};
-    commands.use(images, buffers);
 }
 
 } // namespace
@@ -110,8 +49,8 @@ DeviceScene Renderer::upload(const Scene& scene, const ShadingPlan& plan)
                            .meshes = makeMeshBuffers(device, scene, plan),
                            .textures = Textures(device, scene, plan),
                            .environment = environments.get(scene, plan),
-                           .materials = gpu::makeBuffer(device, bytesOf(makeMaterials(plan)),
-                                                        vk::BufferUsageFlagBits::eStorageBuffer, "materials")};
+                           .materials = gpu::makeUniformBlocks<shared::Material>(device, shared::kBindMaterial,
+                                                                                 makeMaterials(plan), "materials")};
     });
 }
 
@@ -129,58 +68,78 @@ const gpu::Pipeline& Renderer::imagePipeline(const std::string& fragment, const 
         .first->second;
 }
 
-void Renderer::drawBackground(gpu::Commands& commands, const DeviceScene& scene, const gpu::Bindings& bindings)
+void Renderer::drawBackground(gpu::Commands& commands, const FrameInputs& frame)
 {
-    if (scene.plan.settings.background == BackgroundKind::transparent)
-        return; // the target was cleared to nothing
-    const gpu::Pipeline& pipeline =
-        imagePipeline("passes/background.frag", scene.plan.panorama ? "#define PANORAMA\n" : "",
-                      {.name = "background",
-                       .colorFormats = {kColorFormat},
-                       .depthFormat = kDepthFormat,
-                       .depth = gpu::DepthUse::untouched});
+    if (!frame.scene.plan.panorama)
+        return; // the target was cleared to it
+    const gpu::Pipeline& pipeline = imagePipeline("passes/background.frag", "",
+                                                  {.name = "background",
+                                                   .colorFormats = {kColorFormat},
+                                                   .depthFormat = kDepthFormat,
+                                                   .depth = gpu::DepthUse::equal});
     commands.buffer.setCullMode(vk::CullModeFlagBits::eNone);
     commands.buffer.bindPipeline(vk::PipelineBindPoint::eGraphics, *pipeline.handle);
-    bindings.push(commands.buffer, pipeline);
+    frame.bindings.push(commands.buffer, pipeline);
     commands.buffer.draw(3, 1, 0, 0);
 }
 
-Renderer::Targets Renderer::makeTargets(const Settings& settings)
+FrameInputs Renderer::inputsOf(const DeviceScene& scene, const Camera& camera, const dvec2& offset, int picture)
 {
-    Targets targets = {.color = makeColorTarget(device, settings.width, settings.height, "color"),
-                       .depth = makeDepthTarget(device, settings.width, settings.height),
-                       .gbuffer = {}};
-    if (settings.path == RenderPath::deferred)
+    return makeFrameInputs(device, scene, camera, {.table = tableSampler, .panorama = panoramaSampler}, offset,
+                           picture);
+}
+
+void Renderer::prepareTargets(const Settings& settings)
+{
+    const bool deferred = settings.path == RenderPath::deferred;
+    if (targets.width != settings.width || targets.height != settings.height) {
+        targets = {}; // the old ones go before the new ones come
+        targets = {.width = settings.width,
+                   .height = settings.height,
+                   .color = makeColorTarget(device, settings.width, settings.height, "color"),
+                   .depth = makeDepthTarget(device, settings.width, settings.height),
+                   .gbuffer = {}};
+    }
+    if (deferred && targets.gbuffer.empty())
         targets.gbuffer = makeGBuffer(device, settings.width, settings.height);
-    return targets;
 }
 
-void Renderer::drawBatches(gpu::Commands& commands, const DeviceScene& scene, const gpu::Bindings& bindings,
-                           SurfaceOutput output)
+void Renderer::drawBatches(gpu::Commands& commands, const FrameInputs& frame, SurfaceOutput output)
 {
-    for (const Batch& batch : scene.plan.batches)
-        drawBatch(commands, surfacePipelines.get(scene.plan, batch.key, output), bindings, batch, scene.meshes,
-                  scene.textures);
+    for (const Batch& batch : frame.scene.plan.batches)
+        if (output != SurfaceOutput::depth || hasDepthPass(batch.key))
+            drawOne(commands, frame, batch, output);
 }
 
-void Renderer::drawGBuffer(gpu::Commands& commands, const DeviceScene& scene, const gpu::Bindings& bindings,
-                           const Targets& targets)
+void Renderer::drawOne(gpu::Commands& commands, const FrameInputs& frame, const Batch& batch, SurfaceOutput output)
+{
+    drawBatch(commands, surfacePipelines.get(frame.scene.plan, batch.key, output), batch, output, frame);
+}
+
+void Renderer::drawDepth(gpu::Commands& commands, const FrameInputs& frame)
+{
+    beginRendering(commands, {}, &targets.depth, {}, LoadTarget::clear);
+    drawBatches(commands, frame, SurfaceOutput::depth);
+    commands.buffer.endRendering();
+}
+
+void Renderer::drawGBuffer(gpu::Commands& commands, const FrameInputs& frame)
 {
     std::vector<const gpu::DeviceImage*> pointers;
     for (const gpu::DeviceImage& target : targets.gbuffer)
         pointers.push_back(&target);
-    beginRendering(commands, pointers, &targets.depth, LoadTarget::clear, LoadTarget::clear);
-    drawBatches(commands, scene, bindings, SurfaceOutput::gbuffer);
+    beginRendering(commands, pointers, &targets.depth, kClearToNothing, LoadTarget::clear);
+    drawBatches(commands, frame, SurfaceOutput::gbuffer);
     commands.buffer.endRendering();
-    commands.use(gbufferUses(targets.gbuffer));
 }
 
-void Renderer::drawLighting(gpu::Commands& commands, const DeviceScene& scene, gpu::Bindings bindings,
-                            const Targets& targets)
+void Renderer::drawLighting(gpu::Commands& commands, const FrameInputs& frame)
 {
+    const ShadingPlan& plan = frame.scene.plan;
+    gpu::Bindings bindings = frame.bindings;
     bindGBuffer(bindings, targets.gbuffer, tableSampler);
-    for (std::size_t i = 0; i < scene.plan.lightingClasses.size(); ++i) {
-        const LightingForm form = lightingForm(scene.plan, i);
+    for (std::size_t i = 0; i < plan.lightingClasses.size(); ++i) {
+        const LightingForm form = lightingForm(plan, i);
         const gpu::Pipeline& pipeline = imagePipeline("passes/lighting.frag", form.selected, form.description);
         commands.buffer.bindPipeline(vk::PipelineBindPoint::eGraphics, *pipeline.handle);
         bindings.push(commands.buffer, pipeline);
@@ -188,32 +147,72 @@ void Renderer::drawLighting(gpu::Commands& commands, const DeviceScene& scene, g
     }
 }
 
-void Renderer::drawColor(const DeviceScene& scene, const Camera& camera, const dvec2& offset, int picture,
-                         const Targets& targets)
+void Renderer::drawSurfaces(gpu::Commands& commands, const FrameInputs& frame)
 {
-    const ViewBuffers view = makeViewBuffers(device, scene, camera, offset, picture);
-    const gpu::Bindings bindings = sceneBindings(scene, view, tableSampler, panoramaSampler);
-    const bool deferred = scene.plan.settings.path == RenderPath::deferred;
-    gpu::Commands commands(device);
-    useScene(commands, scene, view);
-    if (deferred)
-        drawGBuffer(commands, scene, bindings, targets);
+    const ShadingPlan& plan = frame.scene.plan;
+    const RenderPath path = plan.settings.path;
+    if (path == RenderPath::deferred)
+        commands.use(gbufferUses(targets.gbuffer));
     const std::array colors = {&targets.color};
-    beginRendering(commands, colors, &targets.depth, LoadTarget::clear,
-                   deferred ? LoadTarget::keep : LoadTarget::clear);
-    if (deferred)
-        drawLighting(commands, scene, bindings, targets);
-    else
-        drawBatches(commands, scene, bindings, SurfaceOutput::color);
-    drawBackground(commands, scene, bindings);
-    for (const Batch* batch : sortedBlended(scene.plan, cameraPosition(camera), forwardOf(camera)))
-        drawBatch(commands, surfacePipelines.get(scene.plan, batch->key, SurfaceOutput::color), bindings, *batch,
-                  scene.meshes, scene.textures);
+    beginRendering(commands, colors, &targets.depth, backgroundClear(plan.settings),
+                   path == RenderPath::forward ? LoadTarget::clear : LoadTarget::keep);
+    switch (path) {
+    case RenderPath::forward:
+        drawBatches(commands, frame, SurfaceOutput::color);
+        break;
+    case RenderPath::prepass:
+        drawBatches(commands, frame, SurfaceOutput::colorAtDepth);
+        break;
+    case RenderPath::deferred:
+        drawLighting(commands, frame);
+        break;
+    }
+    drawBackground(commands, frame);
+    for (const Batch* batch : sortedBlended(plan, cameraPosition(frame.camera), forwardOf(frame.camera)))
+        drawOne(commands, frame, *batch, SurfaceOutput::color);
     commands.buffer.endRendering();
+}
+
+void Renderer::run(const std::vector<Pass>& passes, const FrameInputs& frame, const PassObserver& observer)
+{
+    if (observer) {
+        for (const Pass& pass : passes)
+            observer(pass.name, [&] {
+                gpu::Commands commands(device);
+                useFrame(commands, frame);
+                pass.record(commands);
+                commands.submitAndWait();
+            });
+        return;
+    }
+    gpu::Commands commands(device);
+    useFrame(commands, frame);
+    for (const Pass& pass : passes)
+        pass.record(commands);
     commands.submitAndWait();
 }
 
-void Renderer::accumulate(const gpu::DeviceImage& source, const gpu::DeviceImage& sum, int index, int count)
+void Renderer::drawColor(const DeviceScene& scene, const Camera& camera, const dvec2& offset, int picture,
+                         const PassObserver& observer)
+{
+    const RenderPath path = scene.plan.settings.path;
+    prepareTargets(scene.plan.settings);
+    const FrameInputs frame = inputsOf(scene, camera, offset, picture);
+    std::vector<Pass> passes;
+    if (path == RenderPath::prepass)
+        passes.push_back({"depth", [&](gpu::Commands& commands) { drawDepth(commands, frame); }});
+    if (path == RenderPath::deferred)
+        passes.push_back({"G-buffer", [&](gpu::Commands& commands) { drawGBuffer(commands, frame); }});
+    passes.push_back({"surfaces", [&](gpu::Commands& commands) { drawSurfaces(commands, frame); }});
+    run(passes, frame, observer);
+}
+
+void Renderer::drawFrame(const DeviceScene& scene, const Camera& camera, const PassObserver& observer)
+{
+    gpu::guarded(device, [&] { drawColor(scene, camera, dvec2(0.0), 0, observer); });
+}
+
+void Renderer::accumulate(const gpu::DeviceImage& sum, int index, int count)
 {
     const gpu::Pipeline& pipeline =
         imagePipeline("passes/accumulate.frag", "",
@@ -222,11 +221,11 @@ void Renderer::accumulate(const gpu::DeviceImage& source, const gpu::DeviceImage
                        .blend = gpu::Blend::add,
                        .constants = {std::bit_cast<std::uint32_t>(1.0f / static_cast<float>(count))}});
     gpu::Bindings bindings;
-    bindings.set(shared::kBindSource, source, tableSampler);
+    bindings.set(shared::kBindSource, targets.color, tableSampler);
     gpu::Commands commands(device);
-    commands.use({gpu::use(source, gpu::Access::sampled)});
-    const std::array targets = {&sum};
-    beginRendering(commands, targets, nullptr, index == 0 ? LoadTarget::clear : LoadTarget::keep, LoadTarget::clear);
+    commands.use({gpu::use(targets.color, gpu::Access::sampled)});
+    const std::array sums = {&sum};
+    beginRendering(commands, sums, nullptr, index == 0 ? kClearToNothing : kKeep, LoadTarget::clear);
     commands.buffer.bindPipeline(vk::PipelineBindPoint::eGraphics, *pipeline.handle);
     bindings.push(commands.buffer, pipeline);
     commands.buffer.draw(3, 1, 0, 0);
@@ -234,31 +233,28 @@ void Renderer::accumulate(const gpu::DeviceImage& source, const gpu::DeviceImage
     commands.submitAndWait();
 }
 
-std::vector<Layer> Renderer::drawLayers(const DeviceScene& scene, const Camera& camera, const gpu::DeviceImage& depth)
+std::vector<Layer> Renderer::drawLayers(const DeviceScene& scene, const Camera& camera)
 {
-    const ViewBuffers view = makeViewBuffers(device, scene, camera, dvec2(0.0), 0);
-    const gpu::Bindings bindings = sceneBindings(scene, view, tableSampler, panoramaSampler);
-    std::vector<gpu::DeviceImage> targets;
-    std::vector<const gpu::DeviceImage*> targetPointers;
+    const FrameInputs frame = inputsOf(scene, camera, dvec2(0.0), 0);
+    std::vector<gpu::DeviceImage> pictures;
+    std::vector<const gpu::DeviceImage*> pointers;
     for (std::size_t i = 0; i < kLayerTargets; ++i)
-        targets.push_back(makeColorTarget(device, scene.plan.settings.width, scene.plan.settings.height, "layers"));
-    for (const gpu::DeviceImage& target : targets)
-        targetPointers.push_back(&target);
+        pictures.push_back(makeColorTarget(device, scene.plan.settings.width, scene.plan.settings.height, "layers"));
+    for (const gpu::DeviceImage& picture : pictures)
+        pointers.push_back(&picture);
 
     gpu::Commands commands(device);
-    useScene(commands, scene, view);
-    beginRendering(commands, targetPointers, &depth, LoadTarget::clear, LoadTarget::clear);
+    useFrame(commands, frame);
+    beginRendering(commands, pointers, &targets.depth, kClearToNothing, LoadTarget::clear);
     for (const auto* list : {&scene.plan.batches, &scene.plan.blended})
-        for (const Batch& batch : *list) {
-            const gpu::Pipeline& pipeline = surfacePipelines.get(scene.plan, batch.key, SurfaceOutput::layers);
-            drawBatch(commands, pipeline, bindings, batch, scene.meshes, scene.textures);
-        }
+        for (const Batch& batch : *list)
+            drawOne(commands, frame, batch, SurfaceOutput::layers);
     commands.buffer.endRendering();
     commands.submitAndWait();
 
     std::vector<Image> images;
-    for (const gpu::DeviceImage& target : targets)
-        images.push_back(readBack(device, target));
+    for (const gpu::DeviceImage& picture : pictures)
+        images.push_back(readBack(device, picture));
     return splitLayers(images, cameraPosition(camera));
 }
 
@@ -266,22 +262,21 @@ Picture Renderer::render(const DeviceScene& scene, const Camera& camera, const s
 {
     return gpu::guarded(device, [&] {
         const Settings& settings = scene.plan.settings;
-        const Targets targets = makeTargets(settings);
         const std::vector<dvec2> offsets = sampleOffsets(settings.samples);
         const int count = static_cast<int>(offsets.size());
         std::optional<gpu::DeviceImage> sum;
         if (count > 1)
             sum = makeColorTarget(device, settings.width, settings.height, "sum of samples");
         for (int i = 0; i < count; ++i) {
-            drawColor(scene, camera, offsets[static_cast<std::size_t>(i)], i, targets);
+            drawColor(scene, camera, offsets[static_cast<std::size_t>(i)], i, {});
             if (sum)
-                accumulate(targets.color, *sum, i, count);
+                accumulate(*sum, i, count);
             if (progress)
                 progress(i + 1, count);
         }
         Picture picture = {.color = readBack(device, sum ? *sum : targets.color), .layers = {}};
         if (settings.layers)
-            picture.layers = drawLayers(scene, camera, targets.depth);
+            picture.layers = drawLayers(scene, camera);
         return picture;
     });
 }

@@ -4,10 +4,9 @@
 #include "gpu/device.h"
 #include "gpu/shader_library.h"
 #include "image/image.h"
-#include "passes/environment_upload.h"
-#include "passes/mesh_buffers.h"
+#include "passes/device_scene.h"
+#include "passes/frame_inputs.h"
 #include "passes/surface_pass.h"
-#include "passes/texture_upload.h"
 #include "plan/shading_plan.h"
 
 #include <filesystem>
@@ -36,16 +35,8 @@ struct Picture
     std::vector<Layer> layers; // asked for by Settings::layers; at the pixels' centres, not filtered
 };
 
-/// A scene on a device, ready to be drawn from any camera. Scene, plan and renderer must outlive it.
-struct DeviceScene
-{
-    const Scene& scene;
-    const ShadingPlan& plan;
-    MeshBuffers meshes;
-    Textures textures;
-    EnvironmentImages environment;
-    gpu::Buffer materials;
-};
+/// Runs one pass of a frame by calling `run`, which records it, submits it and waits: to be timed by itself.
+using PassObserver = std::function<void(const char* pass, const std::function<void()>& run)>;
 
 class Renderer
 {
@@ -58,27 +49,43 @@ public:
     /// `progress` is called with (done, all) samples after each. Throws Error (deviceFailure, usage).
     Picture render(const DeviceScene& scene, const Camera& camera, const std::function<void(int, int)>& progress = {});
 
+    /// The picture of one sample at the pixels' centres, left on the device: what a frame of a window costs. With an
+    /// observer each pass is submitted apart, else all at once. Throws as render().
+    void drawFrame(const DeviceScene& scene, const Camera& camera, const PassObserver& observer = {});
+
     std::size_t pipelineCount() const { return surfacePipelines.count() + imagePipelines.size(); }
 
 private:
+    // What frames are drawn into, kept from one to the next: a software driver's new memory costs a page fault each 4
+    // KiB.
     struct Targets
     {
+        int width = 0;
+        int height = 0;
         gpu::DeviceImage color;
         gpu::DeviceImage depth;
         std::vector<gpu::DeviceImage> gbuffer; // of the deferred path
     };
-    Targets makeTargets(const Settings& settings);
+    // A part of a frame that begins and ends its own rendering.
+    struct Pass
+    {
+        const char* name;
+        std::function<void(gpu::Commands&)> record;
+    };
+    void prepareTargets(const Settings& settings);
+    FrameInputs inputsOf(const DeviceScene& scene, const Camera& camera, const dvec2& offset, int picture);
     void drawColor(const DeviceScene& scene, const Camera& camera, const dvec2& offset, int picture,
-                   const Targets& targets);
-    void drawBatches(gpu::Commands& commands, const DeviceScene& scene, const gpu::Bindings& bindings,
-                     SurfaceOutput output);
-    void drawGBuffer(gpu::Commands& commands, const DeviceScene& scene, const gpu::Bindings& bindings,
-                     const Targets& targets);
-    void drawLighting(gpu::Commands& commands, const DeviceScene& scene, gpu::Bindings bindings,
-                      const Targets& targets);
-    void drawBackground(gpu::Commands& commands, const DeviceScene& scene, const gpu::Bindings& bindings);
-    void accumulate(const gpu::DeviceImage& source, const gpu::DeviceImage& sum, int index, int count);
-    std::vector<Layer> drawLayers(const DeviceScene& scene, const Camera& camera, const gpu::DeviceImage& depth);
+                   const PassObserver& observer);
+    void run(const std::vector<Pass>& passes, const FrameInputs& frame, const PassObserver& observer);
+    void drawBatches(gpu::Commands& commands, const FrameInputs& frame, SurfaceOutput output);
+    void drawOne(gpu::Commands& commands, const FrameInputs& frame, const Batch& batch, SurfaceOutput output);
+    void drawDepth(gpu::Commands& commands, const FrameInputs& frame);
+    void drawGBuffer(gpu::Commands& commands, const FrameInputs& frame);
+    void drawLighting(gpu::Commands& commands, const FrameInputs& frame);
+    void drawSurfaces(gpu::Commands& commands, const FrameInputs& frame);
+    void drawBackground(gpu::Commands& commands, const FrameInputs& frame);
+    void accumulate(const gpu::DeviceImage& sum, int index, int count);
+    std::vector<Layer> drawLayers(const DeviceScene& scene, const Camera& camera);
     const gpu::Pipeline& imagePipeline(const std::string& fragment, const std::string& selected,
                                        const gpu::PipelineDescription& description);
 
@@ -89,6 +96,7 @@ private:
     vk::raii::Sampler panoramaSampler;
     SurfacePipelines surfacePipelines;
     std::map<std::string, gpu::Pipeline> imagePipelines;
+    Targets targets;
 };
 
 } // namespace torrance

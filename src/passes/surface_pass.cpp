@@ -3,6 +3,8 @@
 #include "passes/targets.h"
 #include "plan/deferred_plan.h"
 #include "shaders/shared/bindings.h"
+#include "shaders/shared/instance.h"
+#include "shaders/shared/instance_attributes.h"
 
 #include <algorithm>
 #include <array>
@@ -15,11 +17,19 @@ bool isShape(SurfaceKind kind)
     return kind == SurfaceKind::sphere || kind == SurfaceKind::plane;
 }
 
+// Depth of an opaque mesh: of all that decides the text of a surface's shaders, only the topology matters.
+bool isPlainDepth(const ShaderKey& key, SurfaceOutput output)
+{
+    return output == SurfaceOutput::depth && key.alphaMode != AlphaMode::mask;
+}
+
 // The streams that a key's vertex shader reads, in the order of their locations.
-std::vector<VertexAttribute> attributesOf(const ShaderKey& key)
+std::vector<VertexAttribute> attributesOf(const ShaderKey& key, SurfaceOutput output)
 {
     if (isShape(key.surface))
         return {};
+    if (isPlainDepth(key, output))
+        return {VertexAttribute::position};
     std::vector<VertexAttribute> attributes = {VertexAttribute::position};
     if (key.normals)
         attributes.push_back(VertexAttribute::normal);
@@ -51,6 +61,36 @@ gpu::VertexStream streamOf(VertexAttribute attribute)
     return {location, vk::Format::eR32G32B32A32Sfloat, sizeof(vec4)};
 }
 
+// A part of an instance that a vertex shader reads.
+struct InstanceStream
+{
+    std::uint32_t location;
+    vk::Format format;
+    std::uint32_t offset; // bytes, in shared::Instance
+};
+
+std::vector<InstanceStream> instanceStreamsOf(const ShaderKey& key, SurfaceOutput output)
+{
+    if (isShape(key.surface))
+        return {};
+    constexpr auto kLinear = static_cast<std::uint32_t>(offsetof(shared::Instance, linear));
+    constexpr auto kNormal = static_cast<std::uint32_t>(offsetof(shared::Instance, normal));
+    constexpr auto kColumn = static_cast<std::uint32_t>(sizeof(vec3));
+    constexpr vk::Format kVec3 = vk::Format::eR32G32B32Sfloat, kVec4 = vk::Format::eR32G32B32A32Sfloat;
+    static_assert(offsetof(shared::Instance, handedness) == kNormal + 3 * kColumn);
+    static_assert(offsetof(shared::Instance, object) == offsetof(shared::Instance, material) + 4);
+    std::vector<InstanceStream> streams;
+    for (std::uint32_t i = 0; i < 3; ++i)
+        streams.push_back({shared::kInstanceLinear + i, kVec3, kLinear + i * kColumn});
+    streams.push_back({shared::kInstanceTranslation, kVec3, offsetof(shared::Instance, translation)});
+    if (key.normals && !isPlainDepth(key, output))
+        for (std::uint32_t i = 0; i < 3; ++i)
+            streams.push_back({shared::kInstanceNormal + i, i < 2 ? kVec3 : kVec4, kNormal + i * kColumn});
+    if (output == SurfaceOutput::layers)
+        streams.push_back({shared::kInstanceIds, vk::Format::eR32G32Uint, offsetof(shared::Instance, material)});
+    return streams;
+}
+
 vk::PrimitiveTopology topologyOf(SurfaceKind kind)
 {
     switch (kind) {
@@ -66,7 +106,7 @@ vk::PrimitiveTopology topologyOf(SurfaceKind kind)
 // What the fragment shader of an output is called, how many targets it has, and its specialization constants.
 struct OutputForm
 {
-    const char* fragment;
+    const char* fragment; // none: ""
     std::size_t targets;
     std::vector<std::uint32_t> constants;
 };
@@ -74,14 +114,25 @@ struct OutputForm
 OutputForm formOf(const ShadingPlan& plan, const ShaderKey& key, SurfaceOutput output)
 {
     switch (output) {
+    case SurfaceOutput::depth:
+        return {isPlainDepth(key, output) ? "" : "passes/depth_masked.frag", 0, {}};
     case SurfaceOutput::layers:
         return {"passes/surface_layers.frag", kLayerTargets, {}};
     case SurfaceOutput::gbuffer:
         return {"passes/gbuffer.frag", kGBufferTargets, {lightingClassIndex(plan, key)}};
     case SurfaceOutput::color:
+    case SurfaceOutput::colorAtDepth:
         break;
     }
     return {plan.settings.view ? "passes/surface_view.frag" : "passes/surface.frag", 1, shadingConstants(plan)};
+}
+
+gpu::DepthUse depthUseOf(const ShaderKey& key, SurfaceOutput output)
+{
+    if (output == SurfaceOutput::colorAtDepth && hasDepthPass(key))
+        return gpu::DepthUse::equal;
+    const bool blends = key.alphaMode == AlphaMode::blend && output == SurfaceOutput::color;
+    return blends ? gpu::DepthUse::testOnly : gpu::DepthUse::testAndWrite;
 }
 
 gpu::PipelineDescription describePipeline(const ShaderKey& key, SurfaceOutput output, const OutputForm& form)
@@ -92,41 +143,61 @@ gpu::PipelineDescription describePipeline(const ShaderKey& key, SurfaceOutput ou
         .topology = topologyOf(key.surface),
         .colorFormats = std::vector(form.targets, kColorFormat),
         .depthFormat = kDepthFormat,
-        .depth = blends ? gpu::DepthUse::testOnly : gpu::DepthUse::testAndWrite,
+        .depth = depthUseOf(key, output),
         .blend = blends ? gpu::Blend::premultiplied : gpu::Blend::replace,
         .constants = form.constants,
     };
-    for (const VertexAttribute attribute : attributesOf(key))
+    for (const VertexAttribute attribute : attributesOf(key, output))
         description.streams.push_back(streamOf(attribute));
+    for (const InstanceStream& stream : instanceStreamsOf(key, output))
+        description.streams.push_back({stream.location, stream.format, sizeof(shared::Instance), true});
     return description;
 }
 
-void bindStreams(gpu::Commands& commands, const ShaderKey& key, const MeshBuffers& meshes, const PrimitiveRange& range)
+void bindStreams(gpu::Commands& commands, const ShaderKey& key, SurfaceOutput output, const FrameInputs& frame,
+                 const PrimitiveRange& range)
 {
     std::vector<vk::Buffer> buffers;
     std::vector<vk::DeviceSize> offsets;
-    for (const VertexAttribute attribute : attributesOf(key)) {
-        buffers.push_back(*meshes.vertices.handle);
+    for (const VertexAttribute attribute : attributesOf(key, output)) {
+        buffers.push_back(*frame.scene.meshes.vertices.handle);
         offsets.push_back(range.streams[static_cast<std::size_t>(attribute)]);
+    }
+    for (const InstanceStream& stream : instanceStreamsOf(key, output)) {
+        buffers.push_back(*frame.instances.handle);
+        offsets.push_back(stream.offset);
     }
     commands.buffer.bindVertexBuffers(0, buffers, offsets);
 }
 
-void drawOnce(gpu::Commands& commands, const Batch& batch, const Draw& draw, const MeshBuffers& meshes,
-              vk::CullModeFlags cull)
+void drawOnce(gpu::Commands& commands, const Batch& batch, SurfaceOutput output, const Draw& draw,
+              const FrameInputs& frame, vk::CullModeFlags cull)
 {
     const auto first = static_cast<std::uint32_t>(draw.firstInstance),
                count = static_cast<std::uint32_t>(draw.instanceCount);
     if (isShape(batch.key.surface)) {
         commands.buffer.setCullMode(vk::CullModeFlagBits::eNone); // the shader tells the sides apart
-        commands.buffer.draw(3, count, 0, first);
+        commands.buffer.draw(3, 1, 0, 0);
         return;
     }
-    const PrimitiveRange& range = meshes.ranges[static_cast<std::size_t>(draw.primitive)];
+    const PrimitiveRange& range = frame.scene.meshes.ranges[static_cast<std::size_t>(draw.primitive)];
     commands.buffer.setCullMode(cull);
     commands.buffer.setFrontFace(draw.mirrored ? vk::FrontFace::eClockwise : vk::FrontFace::eCounterClockwise);
-    bindStreams(commands, batch.key, meshes, range);
+    bindStreams(commands, batch.key, output, frame, range);
     commands.buffer.drawIndexed(range.indexCount, count, range.firstIndex, 0, first);
+}
+
+void drawSides(gpu::Commands& commands, const Batch& batch, SurfaceOutput output, const Draw& draw,
+               const FrameInputs& frame)
+{
+    using Cull = vk::CullModeFlagBits;
+    if (!batch.key.doubleSided)
+        drawOnce(commands, batch, output, draw, frame, Cull::eBack);
+    else if (batch.key.alphaMode != AlphaMode::blend)
+        drawOnce(commands, batch, output, draw, frame, Cull::eNone);
+    else
+        for (const Cull cull : {Cull::eFront, Cull::eBack}) // the far side shows through the near one
+            drawOnce(commands, batch, output, draw, frame, cull);
 }
 
 } // namespace
@@ -143,41 +214,58 @@ std::vector<std::uint32_t> shadingConstants(const ShadingPlan& plan)
 
 const gpu::Pipeline& SurfacePipelines::get(const ShadingPlan& plan, const ShaderKey& key, SurfaceOutput output)
 {
-    const std::string selected = selectedText(plan, key);
+    const bool plainDepth = isPlainDepth(key, output);
+    const std::string selected = plainDepth ? "" : selectedText(plan, key);
     const OutputForm form = formOf(plan, key, output);
-    std::string identity = selected + form.fragment;
+    const gpu::PipelineDescription description = describePipeline(key, output, form);
+    std::string identity = selected + form.fragment + vk::to_string(description.topology) +
+                           std::to_string(static_cast<int>(description.depth));
     for (const std::uint32_t constant : form.constants)
         identity += " " + std::to_string(constant);
     if (const auto found = pipelines.find(identity); found != pipelines.end())
         return found->second;
-    const gpu::CompiledShader vertex =
-        shaders.get(isShape(key.surface) ? "passes/shape.vert" : "passes/surface.vert", selected);
-    const gpu::CompiledShader fragment = shaders.get(form.fragment, selected);
-    return pipelines.emplace(identity, gpu::makePipeline(device, vertex, fragment, describePipeline(key, output, form)))
+    const char* vertexEntry = isShape(key.surface)              ? "passes/shape.vert"
+                              : plainDepth                      ? "passes/depth.vert"
+                              : output == SurfaceOutput::layers ? "passes/surface_ids.vert"
+                                                                : "passes/surface.vert";
+    const gpu::CompiledShader vertex = shaders.get(vertexEntry, selected);
+    return pipelines
+        .emplace(identity, plainDepth
+                               ? gpu::makeDepthPipeline(device, vertex, description)
+                               : gpu::makePipeline(device, vertex, shaders.get(form.fragment, selected), description))
         .first->second;
 }
 
-void drawBatch(gpu::Commands& commands, const gpu::Pipeline& pipeline, gpu::Bindings bindings, const Batch& batch,
-               const MeshBuffers& meshes, const Textures& textures)
+bool hasDepthPass(const ShaderKey& key)
 {
+    return !isShape(key.surface);
+}
+
+void drawBatch(gpu::Commands& commands, const gpu::Pipeline& pipeline, const Batch& batch, SurfaceOutput output,
+               const FrameInputs& frame)
+{
+    gpu::Bindings bindings = frame.bindings;
     constexpr std::array kTextureBindings = {shared::kBindBaseColor, shared::kBindMetallicRoughness,
                                              shared::kBindNormal, shared::kBindOcclusion, shared::kBindEmissive};
     for (std::size_t slot = 0; slot < kTextureBindings.size(); ++slot)
         if (const int texture = batch.textures[slot]; texture >= 0)
-            bindings.set(kTextureBindings[slot], textures.image(texture, contentOf(slot)), textures.sampler(texture));
+            bindings.set(kTextureBindings[slot], frame.scene.textures.image(texture, contentOf(slot)),
+                         frame.scene.textures.sampler(texture));
 
     commands.buffer.bindPipeline(vk::PipelineBindPoint::eGraphics, *pipeline.handle);
-    bindings.push(commands.buffer, pipeline);
-    commands.buffer.bindIndexBuffer(*meshes.indices.handle, 0, vk::IndexType::eUint32);
-    using Cull = vk::CullModeFlagBits;
-    for (const Draw& draw : batch.draws)
-        if (!batch.key.doubleSided)
-            drawOnce(commands, batch, draw, meshes, Cull::eBack);
-        else if (batch.key.alphaMode != AlphaMode::blend)
-            drawOnce(commands, batch, draw, meshes, Cull::eNone);
-        else
-            for (const Cull cull : {Cull::eFront, Cull::eBack}) // the far side shows through the near one
-                drawOnce(commands, batch, draw, meshes, cull);
+    commands.buffer.bindIndexBuffer(*frame.scene.meshes.indices.handle, 0, vk::IndexType::eUint32);
+    int bound = -1; // the material whose block is bound
+    for (const Draw& draw : batch.draws) {
+        const int material = frame.scene.plan.instances[static_cast<std::size_t>(draw.firstInstance)].material;
+        if (material != bound || isShape(batch.key.surface)) {
+            frame.scene.materials.bind(bindings, static_cast<std::size_t>(material));
+            if (isShape(batch.key.surface))
+                frame.shapeInstances.bind(bindings, static_cast<std::size_t>(draw.firstInstance));
+            bindings.push(commands.buffer, pipeline);
+            bound = material;
+        }
+        drawSides(commands, batch, output, draw, frame);
+    }
 }
 
 std::vector<const Batch*> sortedBlended(const ShadingPlan& plan, const dvec3& eye, const dvec3& forward)

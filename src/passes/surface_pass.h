@@ -4,9 +4,7 @@
 #include "gpu/commands.h"
 #include "gpu/pipeline.h"
 #include "gpu/shader_library.h"
-#include "passes/mesh_buffers.h"
-#include "passes/texture_upload.h"
-#include "plan/shading_plan.h"
+#include "passes/frame_inputs.h"
 
 #include <map>
 #include <string>
@@ -15,9 +13,11 @@ namespace torrance {
 
 enum class SurfaceOutput
 {
-    color,   // one target
-    layers,  // kLayerTargets targets: shaders/passes/surface_layers.frag
-    gbuffer, // kGBufferTargets targets: shaders/passes/gbuffer.frag
+    color,        // one target
+    depth,        // none, and only of surfaces that hasDepthPass
+    colorAtDepth, // as color, where SurfaceOutput::depth has drawn
+    layers,       // kLayerTargets targets: shaders/passes/surface_layers.frag
+    gbuffer,      // kGBufferTargets targets: shaders/passes/gbuffer.frag
 };
 inline constexpr std::size_t kLayerTargets = 6;
 inline constexpr std::size_t kGBufferTargets = 4;
@@ -25,6 +25,10 @@ inline constexpr std::size_t kGBufferTargets = 4;
 /// Specialization constants, from 0 on, of every shader that includes material/shade.glsl: the numbers of lights, of
 /// samples.
 std::vector<std::uint32_t> shadingConstants(const ShadingPlan& plan);
+
+/// Whether depth can be drawn before colour: not of analytic shapes, whose depth is computed for each pixel, and twice
+/// need not give the same bits.
+bool hasDepthPass(const ShaderKey& key);
 
 /// The pipelines of a plan's keys, made on first use.
 class SurfacePipelines
@@ -41,9 +45,9 @@ private:
     std::map<std::string, gpu::Pipeline> pipelines; // by everything that they are made from
 };
 
-/// Records the draws of one batch inside a rendering; `bindings` holds all but the batch's textures.
-void drawBatch(gpu::Commands& commands, const gpu::Pipeline& pipeline, gpu::Bindings bindings, const Batch& batch,
-               const MeshBuffers& meshes, const Textures& textures);
+/// Records the draws of one batch inside a rendering, `pipeline` being that of its key and `output`.
+void drawBatch(gpu::Commands& commands, const gpu::Pipeline& pipeline, const Batch& batch, SurfaceOutput output,
+               const FrameInputs& frame);
 
 /// The blended batches from back to front: by the distance of their bounds' centres along the axis of view.
 std::vector<const Batch*> sortedBlended(const ShadingPlan& plan, const dvec3& eye, const dvec3& forward);

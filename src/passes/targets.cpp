@@ -1,17 +1,25 @@
 #include "passes/targets.h"
 
+#include <array>
 #include <cstring>
 
 namespace torrance {
 namespace {
 
-vk::RenderingAttachmentInfo attachment(const gpu::DeviceImage& image, vk::ImageLayout layout, LoadTarget load)
+vk::RenderingAttachmentInfo attachment(const gpu::DeviceImage& image, vk::ImageLayout layout, bool clears,
+                                       const vk::ClearValue& value)
 {
     return {.imageView = *image.view,
             .imageLayout = layout,
-            .loadOp = load == LoadTarget::clear ? vk::AttachmentLoadOp::eClear : vk::AttachmentLoadOp::eLoad,
+            .loadOp = clears ? vk::AttachmentLoadOp::eClear : vk::AttachmentLoadOp::eLoad,
             .storeOp = vk::AttachmentStoreOp::eStore,
-            .clearValue = {}}; // zeros: no light, no coverage, infinitely far
+            .clearValue = value};
+}
+
+vk::ClearValue clearValueOf(const ClearColor& color)
+{
+    const vec4 value = color.value_or(vec4(0.0f));
+    return vk::ClearColorValue(std::array{value.r, value.g, value.b, value.a});
 }
 
 } // namespace
@@ -36,21 +44,23 @@ gpu::DeviceImage makeDepthTarget(const gpu::Device& device, int width, int heigh
 }
 
 void beginRendering(gpu::Commands& commands, std::span<const gpu::DeviceImage* const> colors,
-                    const gpu::DeviceImage* depth, LoadTarget loadColor, LoadTarget loadDepth)
+                    const gpu::DeviceImage* depth, const ClearColor& clearColor, LoadTarget loadDepth)
 {
     std::vector<gpu::ImageUse> uses;
     std::vector<vk::RenderingAttachmentInfo> attachments;
     for (const gpu::DeviceImage* color : colors) {
-        uses.push_back(gpu::use(*color, gpu::Access::colorAttachment, loadColor == LoadTarget::clear));
-        attachments.push_back(attachment(*color, vk::ImageLayout::eColorAttachmentOptimal, loadColor));
+        uses.push_back(gpu::use(*color, gpu::Access::colorAttachment, clearColor.has_value()));
+        attachments.push_back(attachment(*color, vk::ImageLayout::eColorAttachmentOptimal, clearColor.has_value(),
+                                         clearValueOf(clearColor)));
     }
     vk::RenderingAttachmentInfo depthAttachment;
     if (depth) {
         uses.push_back(gpu::use(*depth, gpu::Access::depthAttachment, loadDepth == LoadTarget::clear));
-        depthAttachment = attachment(*depth, vk::ImageLayout::eDepthStencilAttachmentOptimal, loadDepth);
+        depthAttachment = attachment(*depth, vk::ImageLayout::eDepthStencilAttachmentOptimal,
+                                     loadDepth == LoadTarget::clear, {}); // 0: infinitely far
     }
     commands.use(uses);
-    const gpu::ImageShape& shape = colors.front()->shape;
+    const gpu::ImageShape& shape = (colors.empty() ? depth : colors.front())->shape;
     const vk::Rect2D area = {{0, 0}, {shape.width, shape.height}};
     commands.buffer.beginRendering({.renderArea = area,
                                     .layerCount = 1,

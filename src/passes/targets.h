@@ -4,7 +4,9 @@
 #include "gpu/commands.h"
 #include "gpu/image.h"
 #include "image/image.h"
+#include "math/vector.h"
 
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -22,9 +24,15 @@ enum class LoadTarget
     keep,
 };
 
-/// Starts dynamic rendering into the targets with viewport and scissor over all of them; `depth` may be null.
+/// What colours are cleared to before drawing; nothing: they are kept.
+using ClearColor = std::optional<vec4>;
+inline constexpr ClearColor kKeep = std::nullopt;
+inline constexpr ClearColor kClearToNothing = vec4(0.0f); // no light, no coverage
+
+/// Starts dynamic rendering into the targets, which are of one size, with viewport and scissor over all of them;
+/// `colors` may be empty or `depth` null, not both.
 void beginRendering(gpu::Commands& commands, std::span<const gpu::DeviceImage* const> colors,
-                    const gpu::DeviceImage* depth, LoadTarget loadColor, LoadTarget loadDepth);
+                    const gpu::DeviceImage* depth, const ClearColor& clearColor, LoadTarget loadDepth);
 
 /// The target's content, 4 channels.
 Image readBack(const gpu::Device& device, const gpu::DeviceImage& target);

@@ -18,6 +18,7 @@ enum class BackgroundKind
 enum class RenderPath
 {
     forward,  // each surface is shaded as it is drawn
+    prepass,  // depth first, then only what is seen is shaded: the picture of `forward`, to the bit
     deferred, // parameters first, into a G-buffer of floats; light afterwards, once a pixel
 };
 

@@ -1,0 +1,9 @@
+// The depth of a masked surface: where its alpha says that it is there.
+#include "selected.glsl"
+#include "passes/surface_inputs.glsl"
+
+void main()
+{
+    if (readBaseColor().a < material.alphaCutoff)
+        discard;
+}

@@ -1,0 +1,23 @@
+// A scene on a device, ready to be drawn from any camera.
+#pragma once
+
+#include "gpu/uniform_blocks.h"
+#include "passes/environment_upload.h"
+#include "passes/mesh_buffers.h"
+#include "passes/texture_upload.h"
+#include "plan/shading_plan.h"
+
+namespace torrance {
+
+/// Scene, plan and the renderer that made it must outlive it.
+struct DeviceScene
+{
+    const Scene& scene;
+    const ShadingPlan& plan;
+    MeshBuffers meshes;
+    Textures textures;
+    EnvironmentImages environment;
+    gpu::UniformBlocks materials; // by ShadingPlan::materials
+};
+
+} // namespace torrance

@@ -1,0 +1,92 @@
+#include "passes/frame_inputs.h"
+
+#include "passes/frame_data.h"
+#include "scene/camera_view.h"
+#include "shaders/shared/bindings.h"
+
+#include <algorithm>
+#include <array>
+#include <span>
+
+namespace torrance {
+namespace {
+
+template <typename T>
+std::span<const std::byte> bytesOf(const std::vector<T>& items)
+{
+    return std::as_bytes(std::span(items));
+}
+
+shared::Frame frameOf(const DeviceScene& scene, const Camera& camera, const dvec2& offset, int picture)
+{
+    const EnvironmentImages& environment = scene.environment;
+    const int levels = environment.specular ? static_cast<int>(environment.specular->shape.mips) : 0;
+    const int panoramaWidth = environment.panorama ? static_cast<int>(environment.panorama->shape.width) : 0;
+    shared::Frame frame = makeFrame(scene.scene, scene.plan, camera, offset, levels, panoramaWidth);
+    std::ranges::copy(environment.harmonics, frame.irradianceHarmonics);
+    frame.picture = static_cast<std::uint32_t>(picture);
+    return frame;
+}
+
+gpu::Bindings bindingsOf(const FrameInputs& frame, const FrameSamplers& samplers)
+{
+    gpu::Bindings bindings;
+    bindings.set(shared::kBindFrame, frame.frame);
+    bindings.set(shared::kBindLights, frame.lights);
+    const EnvironmentImages& environment = frame.scene.environment;
+    if (environment.specular)
+        bindings.set(shared::kBindEnvironmentSpecular, *environment.specular, samplers.table);
+    if (environment.diffuse)
+        bindings.set(shared::kBindEnvironmentDiffuse, *environment.diffuse, samplers.table);
+    if (environment.radiance)
+        bindings.set(shared::kBindEnvironmentRadiance, *environment.radiance, samplers.table);
+    if (environment.dfg)
+        bindings.set(shared::kBindDfg, *environment.dfg, samplers.table);
+    if (environment.panorama)
+        bindings.set(shared::kBindPanorama, *environment.panorama, samplers.panorama);
+    return bindings;
+}
+
+} // namespace
+
+FrameInputs makeFrameInputs(const gpu::Device& device, const DeviceScene& scene, const Camera& camera,
+                            const FrameSamplers& samplers, const dvec2& offset, int picture)
+{
+    using Usage = vk::BufferUsageFlagBits;
+    const std::vector frames = {frameOf(scene, camera, offset, picture)};
+    const dvec3 eye = cameraPosition(camera);
+    const std::vector<shared::Instance> instances = makeInstances(scene.plan, scene.meshes, eye);
+    const std::size_t shapeInstances = scene.scene.shapes.empty() ? 0 : instances.size();
+    std::vector<shared::Light> lights = makeLights(scene.plan, eye);
+    lights.resize(shared::kMaxLights);
+    FrameInputs frame = {.scene = scene,
+                         .camera = camera,
+                         .frame = gpu::makeBuffer(device, bytesOf(frames), Usage::eUniformBuffer, "frame"),
+                         .instances = gpu::makeBuffer(device, bytesOf(instances), Usage::eVertexBuffer, "instances"),
+                         .shapeInstances =
+                             gpu::makeUniformBlocks(device, shared::kBindInstance,
+                                                    std::span(instances).first(shapeInstances), "shape instances"),
+                         .lights = gpu::makeBuffer(device, bytesOf(lights), Usage::eUniformBuffer, "lights"),
+                         .bindings = {}};
+    frame.bindings = bindingsOf(frame, samplers);
+    return frame;
+}
+
+void useFrame(gpu::Commands& commands, const FrameInputs& frame)
+{
+    std::vector<gpu::ImageUse> images = frame.scene.textures.uses();
+    const EnvironmentImages& e = frame.scene.environment;
+    for (const gpu::DeviceImage* image : {e.specular, e.diffuse, e.radiance, e.dfg, e.panorama})
+        if (image)
+            images.push_back(gpu::use(*image, gpu::Access::sampled));
+    const std::array buffers = {gpu::use(frame.frame, gpu::Access::shaderRead),
+                                gpu::use(frame.instances, gpu::Access::vertexRead),
+                                gpu::use(frame.shapeInstances.buffer, gpu::Access::shaderRead),
+                                gpu::use(frame.lights, gpu::Access::shaderRead),
+                                gpu::use(frame.scene.materials.buffer, gpu::Access::shaderRead),
+                                gpu::use(frame.scene.meshes.vertices, gpu::Access::vertexRead),
+                                gpu::use(frame.scene.meshes.indices, gpu::Access::vertexRead)};
+    commands.use(images, buffers);
+}
+
+} // namespace torrance

@@ -1,0 +1,35 @@
+// What the passes of one frame read: the scene, and what differs from camera to camera and from sample to sample.
+#pragma once
+
+#include "gpu/commands.h"
+#include "passes/device_scene.h"
+
+namespace torrance {
+
+struct FrameInputs
+{
+    const DeviceScene& scene;
+    const Camera& camera;
+    gpu::Buffer frame;
+    gpu::Buffer instances;             // shared::Instance by ShadingPlan::instances, a vertex shader's
+    gpu::UniformBlocks shapeInstances; // the same, where there are analytic shapes
+    gpu::Buffer lights;                // kMaxLights of them, whatever their number: so large is the shader's block
+    gpu::Bindings bindings;            // all but those that change from draw to draw
+};
+
+/// How the environment's pictures are read.
+struct FrameSamplers
+{
+    const vk::raii::Sampler& table;
+    const vk::raii::Sampler& panorama;
+};
+
+/// For a sample `offset` pixels from the pixels' centres, of the picture of this number among those whose mean is the
+/// result.
+FrameInputs makeFrameInputs(const gpu::Device& device, const DeviceScene& scene, const Camera& camera,
+                            const FrameSamplers& samplers, const dvec2& offset, int picture);
+
+/// Notes the use of everything that a frame's shaders read.
+void useFrame(gpu::Commands& commands, const FrameInputs& frame);
+
+} // namespace torrance
