@@ -5,7 +5,7 @@
 #include "environment/irradiance_sh4.glsl"
 #elif defined(IRRADIANCE_SAMPLED)
 #include "environment/irradiance_sampled.glsl"
-#else
+#elif !defined(IRRADIANCE_NONE)
 layout(set = 0, binding = kBindEnvironmentDiffuse) uniform samplerCube environmentDiffuse;
 #endif
 
@@ -18,6 +18,8 @@ vec3 irradianceOverPi(vec3 n)
     return irradianceSh4(frame.irradianceHarmonics, n);
 #elif defined(IRRADIANCE_SAMPLED)
     return irradianceSampled(environmentRadiance, n);
+#elif defined(IRRADIANCE_NONE)
+    return vec3(0.0);
 #else
     return textureLod(environmentDiffuse, n, 0.0).rgb;
 #endif

@@ -30,15 +30,25 @@ layout(set = 0, binding = kBindEnvironmentRadiance) uniform samplerCube environm
 #include "environment/specular.glsl"
 
 #ifdef SELECTED_environment
-// By the source's own model: of a lobe of scale 1 and bias 0 it takes the light itself.
-vec3 environmentLight(Surface s, float alpha)
+#include "environment/surroundings.glsl"
+
+// All light, by the source's own model: of a lobe of scale 1 and bias 0 it takes the light itself.
+vec3 environmentLight(Surface s, float alpha, vec4 albedo, vec3 lit)
 {
     vec3 n = frame.environmentFromWorld * s.normal;
     vec3 v = frame.environmentFromWorld * s.view;
-    vec3 light = specularSums(n, v, alpha, s.perceptualRoughness, vec4(1.0, 0.0, 0.0, 1.0)).scale;
-    float NoV = clamp(dot(s.normal, s.view), 0.0, 1.0);
-    vec3 sum = SELECTED_environment(s.baseColor, s.metallic, NoV, light, irradianceOverPi(n));
-    return sum * (s.occlusion * frame.environmentIntensity);
+    float arriving = s.occlusion * frame.environmentIntensity;
+    Surroundings around;
+    around.mirrored = arriving * specularSums(n, v, alpha, s.perceptualRoughness, vec4(1.0, 0.0, 0.0, 1.0)).scale;
+#ifdef SPECULAR_MIRROR
+    around.refracted = arriving * lightAbout(refractedDirection(n, v), alpha);
+#else
+    around.refracted = vec3(0.0);
+#endif
+    around.irradianceOverPi = arriving * irradianceOverPi(n);
+    around.integrals = albedo.xyz;
+    around.lit = lit;
+    return SELECTED_environment(s.baseColor, s.metallic, clamp(dot(s.normal, s.view), 0.0, 1.0), around);
 }
 #else
 #include "material/dielectric_f0.glsl"

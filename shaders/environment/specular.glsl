@@ -7,11 +7,16 @@ struct SpecularSums
     vec3 bias;
 };
 
-#ifdef SPECULAR_SAMPLER
+#if defined(SPECULAR_SAMPLER)
 #include "environment/sampled_specular.glsl"
+#elif defined(SPECULAR_MIRROR)
+#include "environment/mirror.glsl"
+layout(set = 0, binding = kBindPanorama) uniform sampler2D panorama;
 #else
-#ifdef SPECULAR_PHONG_LEVELS
+#if defined(SPECULAR_PHONG_LEVELS)
 #include "environment/phong_levels.glsl"
+#elif defined(SPECULAR_GGX_LEVELS)
+#include "environment/ggx_levels.glsl"
 #else
 #include "environment/prefiltered.glsl"
 #endif
@@ -19,6 +24,22 @@ struct SpecularSums
 #include "environment/dominant_direction.glsl"
 #endif
 layout(set = 0, binding = kBindEnvironmentSpecular) uniform samplerCube environmentSpecular;
+#endif
+
+#ifndef SPECULAR_SAMPLER
+// The light about a direction in the environment's axes, not necessarily unit.
+vec3 lightAbout(vec3 direction, float alpha)
+{
+#if defined(SPECULAR_MIRROR)
+    return panoramaRadiance(panorama, direction);
+#elif defined(SPECULAR_PHONG_LEVELS)
+    return phongRadiance(environmentSpecular, direction, alpha);
+#elif defined(SPECULAR_GGX_LEVELS)
+    return ggxLevelRadiance(environmentSpecular, direction, alpha, QUIRK_five_levels ? 4.0 : 5.0);
+#else
+    return prefilteredRadiance(environmentSpecular, direction, alpha, frame.environmentLastLevel);
+#endif
+}
 #endif
 
 // n and v unit, in the environment's axes; albedo is the lobe's (scale, bias, w, E) under light of radiance 1.
@@ -32,11 +53,7 @@ SpecularSums specularSums(vec3 n, vec3 v, float alpha, float perceptualRoughness
 #ifdef SPECULAR_DOMINANT
     direction = dominantDirection(n, direction, alpha);
 #endif
-#ifdef SPECULAR_PHONG_LEVELS
-    vec3 light = phongRadiance(environmentSpecular, direction, alpha);
-#else
-    vec3 light = prefilteredRadiance(environmentSpecular, direction, alpha, frame.environmentLastLevel);
-#endif
+    vec3 light = lightAbout(direction, alpha);
     return SpecularSums(light * albedo.x, light * albedo.y);
 #endif
 }

@@ -76,22 +76,24 @@ vec3 punctualLight(Surface s, float alpha, LobeAlbedo lobe)
 vec3 shade(Surface s)
 {
     float alpha = alphaOf(s);
-    vec3 color = s.emissive;
 #ifdef DFG_TABLE
     vec4 albedo = directionalAlbedo(clamp(dot(s.normal, s.view), 0.0, 1.0), s.perceptualRoughness);
     LobeAlbedo lobe = LobeAlbedo(albedo.w, albedo.y, 1.0, averageAlbedo(s.perceptualRoughness));
 #else
-    const LobeAlbedo lobe = LobeAlbedo(1.0, 0.0, 1.0, 1.0); // no method reads it
+    const vec4 albedo = vec4(1.0, 0.0, 0.0, 1.0); // no method reads it
+    const LobeAlbedo lobe = LobeAlbedo(1.0, 0.0, 1.0, 1.0);
 #endif
+    vec3 lit = vec3(0.0);
 #ifdef PUNCTUAL_LIGHTS
-    color += punctualLight(s, alpha, lobe);
+    lit = punctualLight(s, alpha, lobe);
 #endif
 #if defined(ENVIRONMENT_LIGHT) && defined(SELECTED_environment)
-    color += environmentLight(s, alpha);
+    return s.emissive + environmentLight(s, alpha, albedo, lit);
 #elif defined(ENVIRONMENT_LIGHT)
-    color += environmentLight(s, alpha, albedo);
+    return s.emissive + lit + environmentLight(s, alpha, albedo);
+#else
+    return s.emissive + lit;
 #endif
-    return color;
 }
 
 #endif

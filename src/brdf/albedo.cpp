@@ -98,7 +98,7 @@ struct StretchedCap
 
     struct Reflection
     {
-        double weight; // G2 / G1: the share of the visible facets' light that is not shadowed
+        double NoL; // not above 0 below the horizon
         double VoH;
     };
 
@@ -108,11 +108,7 @@ struct StretchedCap
         const double Q = q(p, cosPhi);
         const double h2 = a2 * (2.0 * Q - p * p) + p * p; // squared length of the unstretched half vector
         const double NoL = k * (2.0 * Q * (p - iz * a2) - iz * (1.0 - a2) * p * p) / h2;
-        if (!(NoL > 0.0)) // rounding on the horizon, where the weight vanishes
-            return {0.0, 0.0};
-        // Heitz 2014, eq. 99 over eq. 43: G2 / G1 = (1 + Lambda(v)) / (1 + Lambda(v) + Lambda(l))
-        const double weight = NoL * (NoV + k) / (NoL * k + NoV * std::sqrt(a2 + (1.0 - a2) * NoL * NoL));
-        return {weight, std::min(1.0, k * Q / std::sqrt(h2))};
+        return {NoL, std::min(1.0, k * Q / std::sqrt(h2))};
     }
 };
 
@@ -134,18 +130,24 @@ double pow5(double x)
     return x * x * x * x * x;
 }
 
-} // namespace
-
-AlbedoTerms ggxAlbedo(double NoV, double perceptualRoughness)
+StretchedCap capOf(double NoV, double perceptualRoughness)
 {
-    const StretchedCap cap(std::clamp(NoV, 0.0, 1.0), std::max(perceptualRoughness * perceptualRoughness, kMinAlpha));
+    return {std::clamp(NoV, 0.0, 1.0), std::max(perceptualRoughness * perceptualRoughness, kMinAlpha)};
+}
+
+/// Both terms; `share` is what a direction of light at NoL > 0 counts of the visible facets' light: 2 V NoL (NoV + k).
+template <typename Share>
+AlbedoTerms albedoOver(const StretchedCap& cap, const Share& share)
+{
     const double top = 1.0 + cap.iz;
     AlbedoTerms sum;
     const auto band = [&](double p, double pWeight) {
         const double last = cap.lastAzimuth(p);
         for (const DoubleExponential::Node& node : rule().nodes) {
             const StretchedCap::Reflection r = cap.reflect(p, std::cos(last * node.fromLow));
-            const double light = pWeight * node.weight * last * r.weight;
+            if (!(r.NoL > 0.0)) // rounding on the horizon, where the share vanishes
+                continue;
+            const double light = pWeight * node.weight * last * share(r.NoL);
             const double fresnel = pow5(1.0 - r.VoH);
             sum.scale += light * (1.0 - fresnel);
             sum.bias += light * fresnel;
@@ -159,6 +161,24 @@ AlbedoTerms ggxAlbedo(double NoV, double perceptualRoughness)
             band(from * node.fromHigh + to * node.fromLow, node.weight * (to - from));
     const double area = kPi * top; // half of the cap: the other half mirrors it
     return {sum.scale / area, sum.bias / area};
+}
+
+} // namespace
+
+AlbedoTerms ggxAlbedo(double NoV, double perceptualRoughness)
+{
+    const StretchedCap cap = capOf(NoV, perceptualRoughness);
+    const double a2 = cap.alpha * cap.alpha;
+    // Heitz 2014, eq. 99 over eq. 43: G2 / G1 = (1 + Lambda(v)) / (1 + Lambda(v) + Lambda(l))
+    return albedoOver(cap, [&](double NoL) {
+        return NoL * (cap.NoV + cap.k) / (NoL * cap.k + cap.NoV * std::sqrt(a2 + (1.0 - a2) * NoL * NoL));
+    });
+}
+
+AlbedoTerms ggxAlbedo(double NoV, double perceptualRoughness, const std::function<double(double NoL)>& visibility)
+{
+    const StretchedCap cap = capOf(NoV, perceptualRoughness);
+    return albedoOver(cap, [&](double NoL) { return 2.0 * visibility(NoL) * NoL * (cap.NoV + cap.k); });
 }
 
 double schlickDiffuseWeight(double NoV)

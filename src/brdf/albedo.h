@@ -2,6 +2,8 @@
 // table.
 #pragma once
 
+#include <functional>
+
 namespace torrance::brdf {
 
 /// The split sum of Karis 2013: with Schlick's Fresnel term of f90 = 1, the light that a surface of reflectance F0
@@ -17,6 +19,9 @@ struct AlbedoTerms
 /// NoV in [0, 1] (0: the limit), perceptual roughness in [0, 1]; alpha = max(r^2, kMinAlpha). Both terms are within
 /// 2e-7 of the exact ones (tests/unit/brdf/albedo.cpp).
 AlbedoTerms ggxAlbedo(double NoV, double perceptualRoughness);
+
+/// The same of D ggx with another V that depends on the cosines alone: V at NoL for this NoV, finite and smooth.
+AlbedoTerms ggxAlbedo(double NoV, double perceptualRoughness, const std::function<double(double NoL)>& visibility);
 
 /// w = 1/pi * integral of (1 - VoH)^5 NoL over l, h halfway between v and l: what Schlick's term takes from glTF's
 /// diffuse (1 - F(VoH)) / pi under uniform light, which returns (1 - F0) (1 - w). NoV in [0, 1]; within 1e-10.

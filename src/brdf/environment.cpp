@@ -58,36 +58,10 @@ double alphaOf(const EnvironmentQuery& query)
     return std::max(query.perceptualRoughness * query.perceptualRoughness, kMinAlpha);
 }
 
-// Radiance under the lobe of N = V = R: the light of normals drawn from it, weighed by NoL (Karis 2013, section
-// "Pre-Filtered Environment Map"), with Gauss' nodes in place of random numbers.
-dvec3 prefiltered(const EnvironmentQuery& query, const dvec3& direction)
-{
-    static const QuadratureRule rule = gaussLegendre(kNodes, 0.0, 1.0);
-    const dmat3 axes = frameAround(glm::normalize(direction));
-    const dvec2 alpha(alphaOf(query));
-    dvec3 sum(0);
-    double weights = 0;
-    for (std::size_t i = 0; i < rule.size(); ++i)
-        for (int j = 0; j < 2 * kNodes; ++j) {
-            const dvec3 h = sampleGgxNormal(alpha, {rule.nodes[i], (j + 0.5) / (2 * kNodes)});
-            const dvec3 l = 2.0 * h.z * h - dvec3(0, 0, 1);
-            const double weight = std::max(0.0, l.z) * rule.weights[i];
-            if (weight > 0)
-                sum += weight * query.radiance(axes * l);
-            weights += weight;
-        }
-    return sum / weights;
-}
-
 dvec3 splitSum(const EnvironmentQuery& query, const dvec3& direction)
 {
     const AlbedoTerms terms = ggxAlbedo(std::clamp(glm::dot(query.n, query.v), 0.0, 1.0), query.perceptualRoughness);
-    return prefiltered(query, direction) * (query.f0 * terms.scale + terms.bias);
-}
-
-dvec3 mirrored(const EnvironmentQuery& query)
-{
-    return 2.0 * glm::dot(query.n, query.v) * query.n - query.v;
+    return ggxMean(query, direction, alphaOf(query)) * (query.f0 * terms.scale + terms.bias);
 }
 
 /// The mean over the points of f(v, l) NoL L(l) / density(l); `draw` gives l, `density` is per steradian of it.
@@ -151,13 +125,13 @@ dvec3 Ed_sh9_windowed(const EnvironmentQuery& query)
 
 dvec3 Es_split_sum(const EnvironmentQuery& query)
 {
-    return splitSum(query, mirrored(query));
+    return splitSum(query, mirrorDirection(query));
 }
 
 dvec3 Es_split_sum_dominant(const EnvironmentQuery& query)
 {
     const double a = alphaOf(query), t = (1.0 - a) * (std::sqrt(1.0 - a) + a);
-    return splitSum(query, query.n * (1.0 - t) + mirrored(query) * t);
+    return splitSum(query, query.n * (1.0 - t) + mirrorDirection(query) * t);
 }
 
 dvec3 Es_filtered_importance(const EnvironmentQuery& query)
@@ -195,10 +169,41 @@ dvec3 Es_vndf_bounded(const EnvironmentQuery& query)
         [&](const dvec3& v, const dvec3& l) { return ggxReflectionDensity(v, alpha, l); });
 }
 
+// The light of normals drawn from the lobe, weighed by NoL (Karis 2013, section "Pre-Filtered Environment Map"), with
+// Gauss' nodes in place of random numbers: over those whose light is above the horizon, h.z^2 > 1/2, that is u.x < 1 /
+// (1 + alpha^2).
+dvec3 ggxMean(const EnvironmentQuery& query, const dvec3& direction, double alpha)
+{
+    static const QuadratureRule rule = gaussLegendre(kNodes, 0.0, 1.0);
+    const dmat3 axes = frameAround(glm::normalize(direction));
+    const double last = 1.0 / (1.0 + alpha * alpha);
+    dvec3 sum(0);
+    double weights = 0;
+    for (std::size_t i = 0; i < rule.size(); ++i)
+        for (int j = 0; j < 2 * kNodes; ++j) {
+            const dvec3 h = sampleGgxNormal(dvec2(alpha), {last * rule.nodes[i], (j + 0.5) / (2 * kNodes)});
+            const dvec3 l = 2.0 * h.z * h - dvec3(0, 0, 1);
+            const double weight = l.z * rule.weights[i];
+            sum += weight * query.radiance(axes * l);
+            weights += weight;
+        }
+    return sum / weights;
+}
+
+dvec3 mirrorDirection(const EnvironmentQuery& query)
+{
+    return 2.0 * glm::dot(query.n, query.v) * query.n - query.v;
+}
+
+dvec3 Es_mirror(const EnvironmentQuery& query)
+{
+    return query.radiance(mirrorDirection(query));
+}
+
 bool drawsSamples(const Method& environmentSpecular)
 {
-    constexpr std::string_view kPrefiltered[] = {"split_sum", "split_sum_dominant", "phong_levels"};
-    return std::ranges::find(kPrefiltered, environmentSpecular.id) == std::end(kPrefiltered);
+    constexpr std::string_view kLookUps[] = {"split_sum", "split_sum_dominant", "phong_levels", "ggx_levels", "mirror"};
+    return std::ranges::find(kLookUps, environmentSpecular.id) == std::end(kLookUps);
 }
 
 } // namespace torrance::brdf

@@ -24,6 +24,15 @@ dvec3 Es_vndf(const EnvironmentQuery& query);
 dvec3 Es_vndf_caps(const EnvironmentQuery& query);
 dvec3 Es_vndf_bounded(const EnvironmentQuery& query);
 
+/// What source B's phong sees in the mirror direction: the environment itself.
+dvec3 Es_mirror(const EnvironmentQuery& query);
+
+/// v mirrored at n.
+dvec3 mirrorDirection(const EnvironmentQuery& query);
+
+/// The mean of the radiance under D(h) NoL about `direction`, N = V = R: what a prefiltered level of this alpha holds.
+dvec3 ggxMean(const EnvironmentQuery& query, const dvec3& direction, double alpha);
+
 /// A method of the slot environmentSpecular that draws samples per pixel.
 bool drawsSamples(const Method& environmentSpecular);
 

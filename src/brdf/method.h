@@ -101,6 +101,7 @@ struct Method
     bool readsAlbedo = false;                 // of diffuse_weight and multiple_scattering: the lobe's albedo at NoV
     bool readsLightAlbedo = false;            // and at NoL, and its mean
     Formula formula;
+    std::string_view ownModel = {}; // of the slot environment_specular: a source's, to which alone it belongs
     std::string_view file = {}; // GLSL below shaders/, of a slot whose functions do not stand in shaders/brdf/<slot>
 };
 

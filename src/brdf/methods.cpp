@@ -7,6 +7,7 @@
 #include "brdf/distribution.h"
 #include "brdf/environment.h"
 #include "brdf/fresnel.h"
+#include "brdf/ggx_levels.h"
 #include "brdf/model.h"
 #include "brdf/multiple_scattering.h"
 #include "brdf/phong_levels.h"
@@ -44,7 +45,7 @@ constexpr Method kMethods[] = {
      .id = "phong",
      .citation = "source B (docs/sources.md); Phong 1975, Illumination for Computer Generated Pictures",
      .approximates = "",
-     .domain = {.text = "punctual lights; not a BRDF: the cosine stands inside"},
+     .domain = {.text = "punctual lights; environments by mirror; not a BRDF: the cosine stands inside"},
      .reciprocal = false,
      .gainsEnergy = true,
      .formula = ModelFormula(&model_phong)},
@@ -60,7 +61,7 @@ constexpr Method kMethods[] = {
      .id = "ggx_burley",
      .citation = "source B (docs/sources.md); Burley 2012 with alpha in f90; Karis 2013, eqs. 3 and 4",
      .approximates = "",
-     .domain = {.text = "punctual lights"},
+     .domain = {.text = "punctual lights; environments by ggx_levels"},
      .reciprocal = true,
      .gainsEnergy = true,
      .formula = ModelFormula(&model_ggx_burley)},
@@ -464,7 +465,26 @@ constexpr Method kMethods[] = {
      .domain = {.text = "distant environments; the model torrance_sparrow_blinn"},
      .reciprocal = false,
      .formula = EnvironmentFormula(&Es_phong_levels),
+     .ownModel = "torrance_sparrow_blinn",
      .file = "environment/phong_levels.glsl"},
+    {.slot = Slot::environmentSpecular,
+     .id = "ggx_levels",
+     .citation = "source B (docs/sources.md): lod = 5 r, L (F x + y); Karis 2013, eqs. 7 and 8, with k = (r + 1)^2 / 8",
+     .approximates = "the integral of BRDF and environment",
+     .domain = {.text = "distant environments; the model ggx_burley"},
+     .reciprocal = false,
+     .formula = EnvironmentFormula(&Es_ggx_levels),
+     .ownModel = "ggx_burley",
+     .file = "environment/ggx_levels.glsl"},
+    {.slot = Slot::environmentSpecular,
+     .id = "mirror",
+     .citation = "source B (docs/sources.md): texture(env, reflect(-v, n))",
+     .approximates = "",
+     .domain = {.text = "distant environments; the model phong"},
+     .reciprocal = false,
+     .formula = EnvironmentFormula(&Es_mirror),
+     .ownModel = "phong",
+     .file = "environment/mirror.glsl"},
     {.slot = Slot::dfg,
      .id = "table",
      .citation = "Karis 2013, eq. 8",

@@ -12,4 +12,11 @@ struct Preset;
 dvec3 environment_torrance_sparrow_blinn(const Preset& preset, EnvironmentQuery query, const dvec3& color,
                                          double metalness);
 
+/// Source B's ggx-burley: the same, from its levels and its integration map.
+dvec3 environment_ggx_burley(const Preset& preset, EnvironmentQuery query, const dvec3& base, double metalness);
+
+/// Source B's phong: all light towards v, the environment mixed into `lit`, what the lights alone make of the surface.
+/// Reads n, v and radiance of the query.
+dvec3 environment_phong(const Preset& preset, const EnvironmentQuery& query, const dvec3& lit);
+
 } // namespace torrance::brdf

@@ -17,11 +17,16 @@ struct ModelOptions
     bool noCosine = false;
     bool piDenominator = false;
     bool energySketch = false;
+    bool fiveLevels = false;
+    bool fresnelAtView = false;
 
     // Parameters.
     double ambient = 0.1;
     double specularFactor = 0.5;
     double reflectivity = 1.0;
+    double reflection = 1.0;
+    double fresnelExponent = 2.0;
+    double refraction = 0.0;
 };
 
 /// One choice of one model. A quirk is on or off; a parameter is a number from 0 to `greatest`.

@@ -1,5 +1,6 @@
 #include "brdf/phong_levels.h"
 
+#include "brdf/environment.h"
 #include "brdf/material_mapping.h"
 #include "math/frame.h"
 #include "math/quadrature.h"
@@ -12,11 +13,6 @@ namespace torrance::brdf {
 namespace {
 
 constexpr int kNodes = 48; // of the polar angle; twice as many round the axis
-
-dvec3 mirrored(const EnvironmentQuery& query)
-{
-    return 2.0 * glm::dot(query.n, query.v) * query.n - query.v;
-}
 
 // The lobe's share beyond the angle of cosine z is u = z^(s + 1), in which its weight is even; u = t^4 has no root at 0
 // for Gauss' nodes to miss.
@@ -58,7 +54,7 @@ dvec3 phongRadiance(const EnvironmentQuery& query)
 {
     const double lod = phongLevel(query.perceptualRoughness);
     const int lower = std::min(static_cast<int>(lod), kPhongLevels - 2);
-    const dvec3 axis = mirrored(query);
+    const dvec3 axis = mirrorDirection(query);
     return glm::mix(levelRadiance(query, axis, lower), levelRadiance(query, axis, lower + 1), lod - lower);
 }
 

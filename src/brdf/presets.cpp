@@ -70,6 +70,25 @@ Preset ue4Direct()
     return preset;
 }
 
+// Its environment is mirrored and refracted, and has no irradiance.
+Preset phong()
+{
+    Preset preset =
+        source("phong", "source B: ambient, diffuse and a power of the mirrored light", "phong", kLampWithoutPi);
+    preset.environmentSpecular = known(Slot::environmentSpecular, "mirror");
+    return preset;
+}
+
+// Lit by an environment too, from five levels, an integration map and the irradiance.
+Preset ggxBurley()
+{
+    Preset preset =
+        source("ggx-burley", "source B: GGX with Burley's diffuse, f0 = 0.5, no (1 - F)", "ggx_burley", kLamp);
+    preset.environmentDiffuse = known(Slot::environmentDiffuse, "irradiance_cube");
+    preset.environmentSpecular = known(Slot::environmentSpecular, "ggx_levels");
+    return preset;
+}
+
 // Lit by an environment too, from an irradiance map and eight levels.
 Preset torranceSparrowBlinn()
 {
@@ -145,10 +164,10 @@ std::span<const Preset> allPresets()
         standard(),
         gltf(),
         ue4Direct(),
-        source("phong", "source B: ambient, diffuse and a power of the mirrored light", "phong", kLampWithoutPi),
+        phong(),
         source("cook-torrance-beckmann", "source B: Cook & Torrance 1982 with Beckmann's distribution",
                "cook_torrance_beckmann", kLamp),
-        source("ggx-burley", "source B: GGX with Burley's diffuse, f0 = 0.5, no (1 - F)", "ggx_burley", kLamp),
+        ggxBurley(),
         source("schlick-beckmann", "source C: GGX, Schlick's G with k = alpha/2, Lambert under 1 - F",
                "schlick_beckmann", kLamp),
         source("smith-r", "source D: GGX, Smith's G1 with r in place of alpha, diffuse n.l", "smith_r", kLampWithoutPi),

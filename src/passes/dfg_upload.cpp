@@ -21,18 +21,14 @@ vk::Format formatOf(brdf::DfgFormat format)
     return vk::Format::eR16G16B16A16Unorm;
 }
 
-} // namespace
-
-gpu::DeviceImage uploadDfgTable(const gpu::Device& device, const brdf::DfgStorage& storage)
+gpu::DeviceImage upload(const gpu::Device& device, const DfgTable& table, brdf::DfgFormat format)
 {
     using Usage = vk::ImageUsageFlagBits;
-    const DfgTable table =
-        dfgWithNodes(readDfgTable(dataFolder() / "dfg_ggx_smith_corr.bin"), storage.width, storage.height);
-    const std::vector<std::byte> texels = packDfg(table, storage.format);
+    const std::vector<std::byte> texels = packDfg(table, format);
     gpu::DeviceImage image = gpu::makeImage(device,
                                             {.width = static_cast<std::uint32_t>(table.width),
                                              .height = static_cast<std::uint32_t>(table.height),
-                                             .format = formatOf(storage.format)},
+                                             .format = formatOf(format)},
                                             Usage::eSampled | Usage::eTransferDst, "directional albedos");
     const gpu::Buffer staging =
         gpu::makeBuffer(device, texels, vk::BufferUsageFlagBits::eTransferSrc, "directional albedos");
@@ -40,6 +36,19 @@ gpu::DeviceImage uploadDfgTable(const gpu::Device& device, const brdf::DfgStorag
     gpu::copyToImage(commands, staging, image, texels.size() / (table.texels.size() / 4));
     commands.submitAndWait();
     return image;
+}
+
+} // namespace
+
+gpu::DeviceImage uploadDfgTable(const gpu::Device& device, const brdf::DfgStorage& storage)
+{
+    const DfgTable built = readDfgTable(dataFolder() / "dfg_ggx_smith_corr.bin");
+    return upload(device, dfgWithNodes(built, storage.width, storage.height), storage.format);
+}
+
+gpu::DeviceImage uploadIntegrationMap(const gpu::Device& device)
+{
+    return upload(device, readDfgTable(dataFolder() / "dfg_ggx_burley.bin"), brdf::DfgFormat::float32);
 }
 
 } // namespace torrance

@@ -1,4 +1,4 @@
-// A table of directional albedos on the device, in the storage of its row.
+// Tables of directional albedos on the device.
 #pragma once
 
 #include "brdf/dfg.h"
@@ -6,7 +6,10 @@
 
 namespace torrance {
 
-/// Reads the table that the build made: an Error (input) where it is missing or damaged.
+/// In the storage of its row. Reads the table that the build made: an Error (input) where it is missing or damaged.
 gpu::DeviceImage uploadDfgTable(const gpu::Device& device, const brdf::DfgStorage& storage);
+
+/// Source B's map, likewise.
+gpu::DeviceImage uploadIntegrationMap(const gpu::Device& device);
 
 } // namespace torrance

@@ -73,15 +73,13 @@ EnvironmentStore::EnvironmentStore(const gpu::Device& d, const std::filesystem::
 }
 
 const EnvironmentStore::LightCubes& EnvironmentStore::lightCubes(const Image& radiance, const ContentHash& content,
-                                                                 bool phong)
+                                                                 const brdf::Method& specular)
 {
-    const std::string key = content.hex();
-    std::map<std::string, LightCubes>& made = phong ? phongCubes : cubes;
-    if (const auto found = made.find(key); found != made.end())
+    const std::string key = content.hex() + std::string(specular.ownModel);
+    if (const auto found = cubes.find(key); found != cubes.end())
         return found->second;
-    const EnvironmentMaps maps =
-        phong ? cachedPhongMaps(radiance, content, cache) : cachedEnvironmentMaps(radiance, content, cache);
-    return made
+    const EnvironmentMaps maps = cachedEnvironmentMaps(specular, radiance, content, cache);
+    return cubes
         .emplace(key, LightCubes{uploadCube(device, maps.specular, "prefiltered environment"),
                                  uploadCube(device, maps.irradiance, "irradiance")})
         .first->second;
@@ -92,7 +90,8 @@ const gpu::DeviceImage& EnvironmentStore::radianceCube(const Image& radiance, co
     const std::string key = content.hex();
     if (const auto found = radianceCubes.find(key); found != radianceCubes.end())
         return found->second;
-    const EnvironmentMaps maps = cachedEnvironmentMaps(radiance, content, cache);
+    const brdf::Method& splitSum = *brdf::findMethod(brdf::Slot::environmentSpecular, "split_sum");
+    const EnvironmentMaps maps = cachedEnvironmentMaps(splitSum, radiance, content, cache);
     const CubeLevels pyramid = radiancePyramid(maps.specular.data.front(), maps.specular.size);
     return radianceCubes.emplace(key, uploadCube(device, pyramid, "radiance")).first->second;
 }
@@ -112,11 +111,38 @@ const gpu::DeviceImage& EnvironmentStore::panorama(const Image& radiance, const 
     return panoramas.emplace(key, upload(device, shape, std::as_bytes(std::span(texels)), "panorama")).first->second;
 }
 
-const gpu::DeviceImage& EnvironmentStore::dfgTable(const brdf::DfgStorage& storage)
+const gpu::DeviceImage* EnvironmentStore::albedoTable(const brdf::Preset& methods)
 {
-    const auto found = dfgTables.find(storage.id);
-    return found != dfgTables.end() ? found->second
-                                    : dfgTables.emplace(storage.id, uploadDfgTable(device, storage)).first->second;
+    const brdf::DfgStorage* storage = methods.dfg ? brdf::findDfgTable(methods.dfg->id) : nullptr;
+    if (methods.dfg && !storage)
+        return nullptr;
+    const std::string_view key = storage ? storage->id : "integration map";
+    if (const auto found = albedoTables.find(key); found != albedoTables.end())
+        return &found->second;
+    gpu::DeviceImage table = storage ? uploadDfgTable(device, *storage) : uploadIntegrationMap(device);
+    return &albedoTables.emplace(key, std::move(table)).first->second;
+}
+
+void EnvironmentStore::addLight(EnvironmentImages& images, const Image& radiance, const ContentHash& content,
+                                const brdf::Preset& methods)
+{
+    const brdf::Method& specular = *methods.environmentSpecular;
+    if (specular.id == "mirror") { // nothing is prefiltered
+        images.panorama = &panorama(radiance, content);
+        return;
+    }
+    const LightCubes& light = lightCubes(radiance, content, specular);
+    const std::string_view diffuse = methods.environmentDiffuse->id;
+    const bool samples = brdf::drawsSamples(specular);
+    if (diffuse == "irradiance_cube")
+        images.diffuse = &light.diffuse;
+    else if (diffuse != "sampled")
+        images.harmonics =
+            diffuse == "sh9_windowed" ? windowed(irradianceHarmonics(radiance)) : irradianceHarmonics(radiance);
+    if (!samples)
+        images.specular = &light.specular;
+    if (samples || diffuse == "sampled")
+        images.radiance = &radianceCube(radiance, content);
 }
 
 EnvironmentImages EnvironmentStore::get(const Scene& scene, const ShadingPlan& plan)
@@ -125,28 +151,13 @@ EnvironmentImages EnvironmentStore::get(const Scene& scene, const ShadingPlan& p
     if (plan.environmentLight || plan.panorama) {
         const Image& radiance = scene.environment->radiance;
         const ContentHash content = contentOf(radiance);
-        if (plan.environmentLight) {
-            const brdf::Preset& methods = plan.settings.methods;
-            const bool phong = methods.environmentSpecular->id == "phong_levels";
-            const LightCubes& light = lightCubes(radiance, content, phong);
-            const std::string_view diffuse = methods.environmentDiffuse->id;
-            const bool samples = brdf::drawsSamples(*methods.environmentSpecular);
-            if (diffuse == "irradiance_cube")
-                images.diffuse = &light.diffuse;
-            else if (diffuse != "sampled")
-                images.harmonics =
-                    diffuse == "sh9_windowed" ? windowed(irradianceHarmonics(radiance)) : irradianceHarmonics(radiance);
-            if (!samples)
-                images.specular = &light.specular;
-            if (samples || diffuse == "sampled")
-                images.radiance = &radianceCube(radiance, content);
-        }
+        if (plan.environmentLight)
+            addLight(images, radiance, content, plan.settings.methods);
         if (plan.panorama)
             images.panorama = &panorama(radiance, content);
     }
     if (plan.dfgTable)
-        if (const brdf::DfgStorage* table = brdf::findDfgTable(plan.settings.methods.dfg->id)) // a fit has none
-            images.dfg = &dfgTable(*table);
+        images.dfg = albedoTable(plan.settings.methods);
     return images;
 }
 

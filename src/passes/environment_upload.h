@@ -23,7 +23,7 @@ struct EnvironmentImages
     const gpu::DeviceImage* diffuse = nullptr;  // cube, irradiance / pi; or, for the methods sh4, sh9, sh9_windowed,
     std::array<vec3, 9> harmonics = {};         // the same as nine harmonics
     const gpu::DeviceImage* radiance = nullptr; // cube with plain mips, for methods that draw samples
-    const gpu::DeviceImage* panorama = nullptr; // lat-long, with mips
+    const gpu::DeviceImage* panorama = nullptr; // lat-long, with mips: seen behind the scene, or in its mirrors
     const gpu::DeviceImage* dfg = nullptr;      // directional albedos
 };
 
@@ -41,18 +41,19 @@ private:
         gpu::DeviceImage specular;
         gpu::DeviceImage diffuse;
     };
-    const LightCubes& lightCubes(const Image& radiance, const ContentHash& content, bool phong);
+    void addLight(EnvironmentImages& images, const Image& radiance, const ContentHash& content,
+                  const brdf::Preset& methods);
+    const LightCubes& lightCubes(const Image& radiance, const ContentHash& content, const brdf::Method& specular);
     const gpu::DeviceImage& radianceCube(const Image& radiance, const ContentHash& content);
     const gpu::DeviceImage& panorama(const Image& radiance, const ContentHash& content);
-    const gpu::DeviceImage& dfgTable(const brdf::DfgStorage& storage);
+    const gpu::DeviceImage* albedoTable(const brdf::Preset& methods); // null for a fit
 
     const gpu::Device& device;
     DiskCache cache;
-    std::map<std::string, LightCubes> cubes;                // by the panorama's content
-    std::map<std::string, LightCubes> phongCubes;           // likewise
-    std::map<std::string, gpu::DeviceImage> radianceCubes;  // likewise
-    std::map<std::string, gpu::DeviceImage> panoramas;      // likewise
-    std::map<std::string_view, gpu::DeviceImage> dfgTables; // by the row
+    std::map<std::string, gpu::DeviceImage> radianceCubes;     // by the panorama's content
+    std::map<std::string, gpu::DeviceImage> panoramas;         // likewise
+    std::map<std::string, LightCubes> cubes;                   // likewise, and by the source's model that owns them
+    std::map<std::string_view, gpu::DeviceImage> albedoTables; // by the row, and source B's
 };
 
 } // namespace torrance

@@ -6,9 +6,22 @@
 namespace torrance {
 namespace {
 
-// Changes whenever makeEnvironmentMaps would give other numbers for the same panorama.
-constexpr int kMapsVersion = 2;
-constexpr int kPhongMapsVersion = 0x10001; // likewise of makePhongMaps; never the other's
+/// A way of making maps. The version changes whenever it would give other numbers for the same panorama, and is never
+/// another's.
+struct Maker
+{
+    EnvironmentMaps (*make)(const Image& panorama);
+    int version;
+};
+
+Maker makerFor(const brdf::Method& specular)
+{
+    if (specular.id == "phong_levels")
+        return {&makePhongMaps, 0x10001};
+    if (specular.id == "ggx_levels")
+        return {&makeGgxLevelMaps, 0x20001};
+    return {&makeEnvironmentMaps, 2};
+}
 
 void append(std::vector<float>& out, const CubeLevels& cube)
 {
@@ -34,36 +47,26 @@ CubeLevels take(const std::vector<float>& numbers, std::size_t& at)
     return cube;
 }
 
-using MakeMaps = EnvironmentMaps (*)(const Image& panorama);
+} // namespace
 
-EnvironmentMaps cached(MakeMaps make, int version, const Image& radiance, const ContentHash& content, DiskCache& cache)
+EnvironmentMaps cachedEnvironmentMaps(const brdf::Method& specular, const Image& radiance, const ContentHash& content,
+                                      DiskCache& cache)
 {
-    const ContentHash key = ContentHasher().add(content.high).add(content.low).add(version).finish();
+    const Maker maker = makerFor(specular);
+    const ContentHash key = ContentHasher().add(content.high).add(content.low).add(maker.version).finish();
     if (const auto bytes = cache.load(key)) {
         std::vector<float> numbers(bytes->size() / sizeof(float));
         std::memcpy(numbers.data(), bytes->data(), numbers.size() * sizeof(float));
         std::size_t at = 0;
-        CubeLevels specular = take(numbers, at);
-        return {.specular = std::move(specular), .irradiance = take(numbers, at)};
+        CubeLevels specularLevels = take(numbers, at);
+        return {.specular = std::move(specularLevels), .irradiance = take(numbers, at)};
     }
-    EnvironmentMaps maps = make(radiance);
+    EnvironmentMaps maps = maker.make(radiance);
     std::vector<float> numbers;
     append(numbers, maps.specular);
     append(numbers, maps.irradiance);
     cache.store(key, std::as_bytes(std::span(numbers)));
     return maps;
-}
-
-} // namespace
-
-EnvironmentMaps cachedEnvironmentMaps(const Image& radiance, const ContentHash& content, DiskCache& cache)
-{
-    return cached(&makeEnvironmentMaps, kMapsVersion, radiance, content, cache);
-}
-
-EnvironmentMaps cachedPhongMaps(const Image& radiance, const ContentHash& content, DiskCache& cache)
-{
-    return cached(&makePhongMaps, kPhongMapsVersion, radiance, content, cache);
 }
 
 } // namespace torrance

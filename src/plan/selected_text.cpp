@@ -28,13 +28,16 @@ void defineUv(std::string& text, const TextureKey& key, const std::string& macro
 // Which functions of shaders/environment are called.
 void defineEnvironment(std::string& text, const brdf::Preset& methods)
 {
-    const std::string_view diffuse = methods.environmentDiffuse->id;
+    const std::string_view diffuse = methods.environmentDiffuse ? methods.environmentDiffuse->id : "";
     const brdf::Method& specular = *methods.environmentSpecular;
+    define(text, "IRRADIANCE_NONE", diffuse.empty());
     define(text, "IRRADIANCE_SH9", diffuse == "sh9" || diffuse == "sh9_windowed");
     define(text, "IRRADIANCE_SH4", diffuse == "sh4");
     define(text, "IRRADIANCE_SAMPLED", diffuse == "sampled");
     define(text, "SPECULAR_DOMINANT", specular.id == "split_sum_dominant");
     define(text, "SPECULAR_PHONG_LEVELS", specular.id == "phong_levels");
+    define(text, "SPECULAR_GGX_LEVELS", specular.id == "ggx_levels");
+    define(text, "SPECULAR_MIRROR", specular.id == "mirror");
     define(text, "READS_RADIANCE", diffuse == "sampled" || brdf::drawsSamples(specular));
     if (brdf::drawsSamples(specular))
         text += "#include \"" + brdf::glslPath(specular) + "\"\n#define SPECULAR_SAMPLER " +
@@ -108,10 +111,9 @@ std::string selectedText(const ShadingPlan& plan, const ShaderKey& key)
     if (lit && plan.environmentLight)
         defineEnvironment(text, plan.settings.methods);
     const bool lightsReadAlbedo = lit && readsAlbedo(plan.settings.methods, key.compensates) && !plan.lights.empty();
-    const bool environmentReadsTable = plan.environmentLight && brdf::isComposed(plan.settings.methods);
-    const bool table = lit && (environmentReadsTable || lightsReadAlbedo || viewsTable(plan));
+    const bool table = lit && (environmentReadsTable(plan) || lightsReadAlbedo || viewsTable(plan));
     define(text, "DFG_TABLE", table);
-    if (const brdf::Method* dfg = plan.settings.methods.dfg; table && !brdf::findDfgTable(dfg->id))
+    if (const brdf::Method* dfg = plan.settings.methods.dfg; table && dfg && !brdf::findDfgTable(dfg->id))
         text += "#include \"" + brdf::glslPath(*dfg) + "\"\n#define DFG_FIT " + brdf::functionName(*dfg) + "\n";
     define(text, "READS_LIGHT_ALBEDO",
            lightsReadAlbedo && key.compensates && plan.settings.methods.multipleScattering->readsLightAlbedo);

@@ -237,11 +237,12 @@ void Planner::planSurfaces()
         plan.batches.push_back(std::move(batch));
 }
 
-// The levels of source E belong to its model, which has no part for any others.
+// The levels of a source belong to its model, which has no part for any others.
 void checkLevels(const ShadingPlan& plan)
 {
     const brdf::Preset& methods = plan.settings.methods;
-    if (!plan.environmentLight || brdf::isComposed(methods) == (methods.environmentSpecular->id != "phong_levels"))
+    if (!plan.environmentLight ||
+        methods.environmentSpecular->ownModel == (brdf::isComposed(methods) ? "" : methods.model->id))
         return;
     throw usageError("the model " + std::string(methods.model->id) + " cannot be lit by an environment through " +
                          std::string(methods.environmentSpecular->id),
@@ -302,6 +303,8 @@ void checkView(const ShadingPlan& plan)
         refuseView(*view, "a microfacet model, which phong is not", "look at specular, diffuse or brdf");
     if (view->subject == ViewSubject::environment && !plan.environmentLight)
         refuseView(*view, "light from an environment", "give --environment, and a preset that defines it");
+    if (view->id == "irradiance" && !methods.environmentDiffuse)
+        refuseView(*view, "a preset with diffuse light from an environment", "look at prefiltered: what is mirrored");
     if (view->id == "prefiltered" && brdf::drawsSamples(*methods.environmentSpecular))
         refuseView(*view, "prefiltered light, which " + std::string(methods.environmentSpecular->id) + " does without",
                    "use --environment-specular split_sum");
@@ -330,15 +333,15 @@ void Planner::planLighting()
     plan.environmentLight = hasEnvironment && lit;
     plan.panorama = hasEnvironment && plan.settings.background == BackgroundKind::environment;
     const bool viewsTable = plan.settings.view && plan.settings.view->subject == ViewSubject::table;
-    plan.dfgTable = (plan.environmentLight && brdf::isComposed(plan.settings.methods)) ||
+    plan.dfgTable = environmentReadsTable(plan) ||
                     (lit && readsAlbedo(plan.settings.methods, compensates) && !plan.lights.empty()) ||
                     (lit && viewsTable);
     if (hasEnvironment && !lit)
         plan.remarks.push_back({"environment", "not prefiltered", "no surface is lit"});
     if (hasEnvironment && !plan.panorama)
         plan.remarks.push_back({"environment", "not drawn", "another background was asked for"});
-    checkView(plan);
     checkLobe(plan);
+    checkView(plan);
     if (plan.environmentLight && brdf::isComposed(plan.settings.methods) &&
         plan.settings.methods.diffuse->id != "lambert")
         plan.remarks.push_back({"environment", "its diffuse light is Lambert's",
@@ -352,6 +355,14 @@ void Planner::planLighting()
 }
 
 } // namespace
+
+bool environmentReadsTable(const ShadingPlan& plan)
+{
+    const brdf::Preset& methods = plan.settings.methods;
+    if (!plan.environmentLight || !methods.environmentSpecular)
+        return false;
+    return brdf::isComposed(methods) || methods.environmentSpecular->id == "ggx_levels";
+}
 
 bool readsAlbedo(const brdf::Preset& methods, bool compensates)
 {

@@ -64,6 +64,9 @@ struct ShadingPlan
 /// Throws Error (usage) where methods are combined that no table was made for.
 ShadingPlan makePlan(const Scene& scene, const Settings& settings);
 
+/// Whether the environment's part needs a table of directional albedos: that of the slot dfg, or source B's map.
+bool environmentReadsTable(const ShadingPlan& plan);
+
 /// Whether a punctual light's part needs the table of directional albedos.
 bool readsAlbedo(const brdf::Preset& methods, bool compensates);
 

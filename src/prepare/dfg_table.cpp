@@ -1,6 +1,5 @@
 #include "prepare/dfg_table.h"
 
-#include "brdf/albedo.h"
 #include "core/atomic_write.h"
 #include "core/content_hash.h"
 #include "core/error.h"
@@ -32,19 +31,11 @@ static_assert(sizeof(Header) == 32);
 constexpr std::array<char, 8> kMagic = {'T', 'o', 'r', 'r', 'D', 'F', 'G', '1'};
 constexpr std::uint32_t kMaxSize = 4096; // either side; more is a damaged file
 
-/// (scale, bias) at the point (x, y) of the unit square.
-dvec2 specularAt(double x, double y)
-{
-    const brdf::AlbedoTerms terms = brdf::ggxAlbedo(dfgNoV(x), dfgRoughness(y));
-    return {terms.scale, terms.bias};
-}
-
 /// Half of the error that linear interpolation makes in the middle of the cells beside node i, their mean, given the
 /// function at nodes and half nodes (every second entry is a node).
-template <typename Value>
-Value halfErrorBeside(const std::vector<Value>& samples, std::size_t i)
+dvec3 halfErrorBeside(const std::vector<dvec3>& samples, std::size_t i)
 {
-    Value error(0.0);
+    dvec3 error(0.0);
     int cells = 0;
     for (const int side : {-1, 1}) {
         const auto far = static_cast<std::ptrdiff_t>(i) + 2 * side;
@@ -54,53 +45,40 @@ Value halfErrorBeside(const std::vector<Value>& samples, std::size_t i)
         error += 0.5 * (samples[i] + samples[f]) - samples[(i + f) / 2];
         ++cells;
     }
-    return cells > 0 ? 0.5 / cells * error : Value(0.0);
+    return cells > 0 ? 0.5 / cells * error : dvec3(0.0);
 }
 
-/// Functions on the grid of half steps: columns at nodes, and between them along either axis.
+/// A formula on the grid of half steps: columns at nodes, and between them along either axis.
 struct HalfGrid
 {
     int width, height;                           // of the nodes
-    std::vector<std::vector<dvec2>> alongX;      // per row of nodes, 2 width - 1 samples
-    std::vector<std::vector<dvec2>> betweenRows; // per gap of rows, width samples
+    std::vector<std::vector<dvec3>> alongX;      // per row of nodes, 2 width - 1 samples
+    std::vector<std::vector<dvec3>> betweenRows; // per gap of rows, width samples
 };
 
-HalfGrid sampleHalfGrid(int width, int height)
+HalfGrid sampleHalfGrid(brdf::DfgFormula formula, int width, int height)
 {
     const auto w = static_cast<std::size_t>(width), h = static_cast<std::size_t>(height);
     HalfGrid grid{width, height, {}, {}};
-    grid.alongX.assign(h, std::vector<dvec2>(2 * w - 1));
-    grid.betweenRows.assign(h - 1, std::vector<dvec2>(w));
+    grid.alongX.assign(h, std::vector<dvec3>(2 * w - 1));
+    grid.betweenRows.assign(h - 1, std::vector<dvec3>(w));
     parallelFor(2 * h - 1, 1, [&](std::size_t halfRow) {
         const double y = 0.5 * static_cast<double>(halfRow) / (height - 1);
-        std::vector<dvec2>& row = halfRow % 2 == 0 ? grid.alongX[halfRow / 2] : grid.betweenRows[halfRow / 2];
+        std::vector<dvec3>& row = halfRow % 2 == 0 ? grid.alongX[halfRow / 2] : grid.betweenRows[halfRow / 2];
         for (std::size_t i = 0; i < row.size(); ++i)
-            row[i] = specularAt(static_cast<double>(i) / static_cast<double>(row.size() - 1), y);
+            row[i] = formula(dfgNoV(static_cast<double>(i) / static_cast<double>(row.size() - 1)), dfgRoughness(y));
     });
     return grid;
 }
 
 /// The node's value, shifted against the error of both axes.
-dvec2 balancedNode(const HalfGrid& grid, std::size_t column, std::size_t row)
+dvec3 balancedNode(const HalfGrid& grid, std::size_t column, std::size_t row)
 {
-    std::vector<dvec2> alongY(2 * static_cast<std::size_t>(grid.height) - 1);
+    std::vector<dvec3> alongY(2 * static_cast<std::size_t>(grid.height) - 1);
     for (std::size_t j = 0; j < alongY.size(); ++j)
         alongY[j] = j % 2 == 0 ? grid.alongX[j / 2][2 * column] : grid.betweenRows[j / 2][column];
     return grid.alongX[row][2 * column] - halfErrorBeside(grid.alongX[row], 2 * column) -
            halfErrorBeside(alongY, 2 * row);
-}
-
-/// w at the columns; it depends on NoV only.
-std::vector<double> balancedWeights(int width)
-{
-    std::vector<double> samples(2 * static_cast<std::size_t>(width) - 1);
-    for (std::size_t i = 0; i < samples.size(); ++i)
-        samples[i] =
-            brdf::schlickDiffuseWeight(dfgNoV(static_cast<double>(i) / static_cast<double>(samples.size() - 1)));
-    std::vector<double> weights(static_cast<std::size_t>(width));
-    for (std::size_t i = 0; i < weights.size(); ++i)
-        weights[i] = samples[2 * i] - halfErrorBeside(samples, 2 * i);
-    return weights;
 }
 
 } // namespace
@@ -127,15 +105,14 @@ double dfgRoughness(double y)
     return y * y;
 }
 
-DfgTable makeDfgTable(int width, int height)
+DfgTable makeDfgTable(brdf::DfgFormula formula, int width, int height)
 {
-    const HalfGrid grid = sampleHalfGrid(width, height);
-    const std::vector<double> weights = balancedWeights(width);
+    const HalfGrid grid = sampleHalfGrid(formula, width, height);
     DfgTable table{width, height, {}};
     for (std::size_t row = 0; row < static_cast<std::size_t>(height); ++row)
         for (std::size_t column = 0; column < static_cast<std::size_t>(width); ++column) {
-            const dvec2 terms = balancedNode(grid, column, row);
-            for (const double value : {terms.x, terms.y, weights[column], terms.x + terms.y})
+            const dvec3 terms = balancedNode(grid, column, row);
+            for (const double value : {terms.x, terms.y, terms.z, terms.x + terms.y})
                 table.texels.push_back(static_cast<float>(value));
         }
     return table;

@@ -1,5 +1,6 @@
 #include "prepare/environment_maps.h"
 
+#include "brdf/ggx_levels.h"
 #include "brdf/phong_levels.h"
 #include "prepare/ggx_prefilter.h"
 #include "prepare/irradiance.h"
@@ -33,8 +34,15 @@ Light lightOf(const Image& panorama, int size)
             buildCubeTree(size, std::move(cube.excess))};
 }
 
-EnvironmentMaps withIrradiance(CubeLevels&& specular, const Light& light)
+/// `levelOf` gives the faces of a level above 0, of so many texels a side.
+template <typename LevelOf>
+EnvironmentMaps mapsOf(const Image& panorama, int size, int levels, const LevelOf& levelOf)
 {
+    Light light = lightOf(panorama, size);
+    CubeLevels specular = std::move(light.levels);
+    specular.levels = levels;
+    for (int level = 1; level < levels; ++level)
+        specular.data.push_back(levelOf(light, level, specular.sizeOf(level)));
     return {std::move(specular), {kIrradianceSize, 1, {irradianceFaces(light.base, light.excess, kIrradianceSize)}}};
 }
 
@@ -53,24 +61,25 @@ int cubeSizeFor(int panoramaWidth)
 
 EnvironmentMaps makeEnvironmentMaps(const Image& panorama)
 {
-    Light light = lightOf(panorama, cubeSizeFor(panorama.width));
-    CubeLevels specular = std::move(light.levels);
-    specular.levels = std::countr_zero(static_cast<unsigned>(specular.size / kLastLevelSize)) + 1;
-    for (int level = 1; level < specular.levels; ++level)
-        specular.data.push_back(
-            prefilterLevel(light.base, light.excess, specular.sizeOf(level), levelAlpha(level, specular.levels)));
-    return withIrradiance(std::move(specular), light);
+    const int size = cubeSizeFor(panorama.width);
+    const int levels = std::countr_zero(static_cast<unsigned>(size / kLastLevelSize)) + 1;
+    return mapsOf(panorama, size, levels, [levels](const Light& light, int level, int side) {
+        return prefilterLevel(light.base, light.excess, side, levelAlpha(level, levels));
+    });
 }
 
 EnvironmentMaps makePhongMaps(const Image& panorama)
 {
-    Light light = lightOf(panorama, kPhongCubeSize);
-    CubeLevels specular = std::move(light.levels);
-    specular.levels = brdf::kPhongLevels;
-    for (int level = 1; level < specular.levels; ++level)
-        specular.data.push_back(
-            phongLevel(light.base, light.excess, specular.sizeOf(level), brdf::phongLevelExponent(level)));
-    return withIrradiance(std::move(specular), light);
+    return mapsOf(panorama, kSourceCubeSize, brdf::kPhongLevels, [](const Light& light, int level, int side) {
+        return phongLevel(light.base, light.excess, side, brdf::phongLevelExponent(level));
+    });
+}
+
+EnvironmentMaps makeGgxLevelMaps(const Image& panorama)
+{
+    return mapsOf(panorama, kSourceCubeSize, brdf::kGgxLevels, [](const Light& light, int level, int side) {
+        return prefilterLevel(light.base, light.excess, side, brdf::ggxLevelAlpha(level));
+    });
 }
 
 } // namespace torrance

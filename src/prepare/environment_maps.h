@@ -10,6 +10,9 @@ inline constexpr int kLeastCubeSize = 16;
 inline constexpr int kGreatestCubeSize = 512;
 inline constexpr int kLastLevelSize = 8; // faces of the roughest level
 inline constexpr int kIrradianceSize = 32;
+/// Faces of level 0 of a source: of source E's 8 levels, each half the one before, the last then has kBlockSide texels
+/// a side.
+inline constexpr int kSourceCubeSize = 512;
 
 struct EnvironmentMaps
 {
@@ -33,8 +36,11 @@ int cubeSizeFor(int panoramaWidth);
 /// panorama's within 0.5 %. The result depends on the panorama alone.
 EnvironmentMaps makeEnvironmentMaps(const Image& panorama);
 
-/// The same of the levels of source E: level i of 8 holds brdf::phongLevelExponent(i), and level 0 has kPhongCubeSize
+/// The same of the levels of source E: level i of 8 holds brdf::phongLevelExponent(i), and level 0 has kSourceCubeSize
 /// texels a side whatever the panorama.
 EnvironmentMaps makePhongMaps(const Image& panorama);
+
+/// The same of the levels of source B: level i of 6 holds brdf::ggxLevelAlpha(i).
+EnvironmentMaps makeGgxLevelMaps(const Image& panorama);
 
 } // namespace torrance

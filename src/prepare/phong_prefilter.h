@@ -6,9 +6,6 @@
 
 namespace torrance {
 
-/// Faces of level 0: of 8 levels, each half the one before, the last then has kBlockSide texels a side.
-inline constexpr int kPhongCubeSize = 512;
-
 /// One level of 6 faces of `size` (a multiple of kBlockSide), RGBA: the mean of base + excess under
 /// (exponent + 1) / (2 pi) cos^exponent above the horizon. exponent >= 0.
 std::vector<float> phongLevel(const CubeTree& base, const CubeTree& excess, int size, double exponent);

@@ -65,10 +65,11 @@ ContentHash hashOfInputs(const Scene& scene, const Camera& camera, const Referen
     hasher.add(std::as_bytes(std::span(&color, 1)));
     for (const brdf::Slot slot : brdf::allSlots())
         hasher.add(methods[slot] ? methods[slot]->id : std::string_view());
-    const auto& [doubleFresnel, noCosine, piDenominator, energySketch, ambient, specularFactor, reflectivity] =
-        methods.options;
-    hasher.add(doubleFresnel).add(noCosine).add(piDenominator).add(energySketch);
+    const auto& [doubleFresnel, noCosine, piDenominator, energySketch, fiveLevels, fresnelAtView, ambient,
+                 specularFactor, reflectivity, reflection, fresnelExponent, refraction] = methods.options;
+    hasher.add(doubleFresnel).add(noCosine).add(piDenominator).add(energySketch).add(fiveLevels).add(fresnelAtView);
     hasher.add(ambient).add(specularFactor).add(reflectivity);
+    hasher.add(reflection).add(fresnelExponent).add(refraction);
     addToHash(hasher, camera);
     addToHash(hasher, scene);
     return hasher.finish();

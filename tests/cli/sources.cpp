@@ -39,13 +39,18 @@ TEST_F(Sources, RefuseQuirksAndParametersThatTheyDoNotHave)
     refused({"--preset", "schlick-beckmann", "--quirk", "no-cosine"}, "known are double-fresnel");
     refused({"--preset", "phong", "--parameter", "shine=3"}, "known are ambient, specular");
     refused({"--preset", "phong", "--parameter", "ambient=2"}, "between 0 and 1");
+    refused({"--preset", "phong", "--parameter", "refraction=1.5"}, "between 0 and 1");
+    refused({"--preset", "smith-r", "--parameter", "reflection=0.5"}, "it has none");
+    refused({"--preset", "phong", "--quirk", "five-levels"}, "it has none");
     refused({"--preset", "phong", "--parameter", "ambient"}, "--parameter ambient");
     refused({"--quirk", "double-fresnel"}, "the preset standard has no quirk");
 }
 
 TEST_F(Sources, RefuseAnEnvironmentThatTheyDoNotDefine)
 {
-    refused({"--preset", "ue4-direct", "--environment", "studio"}, "--environment none");
+    for (const char* preset : {"ue4-direct", "cook-torrance-beckmann", "schlick-beckmann", "smith-r"})
+        refused({"--preset", preset, "--environment", "studio"}, "--environment none");
+    refused({"--preset", "ue4-direct", "--environment", "studio", "--view", "prefiltered"}, "--environment none");
     refused({"--preset", "ue4-direct", "--environment-intensity", "2"}, "nothing to turn or to scale");
 }
 
@@ -53,7 +58,35 @@ TEST_F(Sources, RefuseAnEnvironmentThroughTheLevelsOfAnotherModel)
 {
     refused({"--preset", "torrance-sparrow-blinn", "-e", "furnace", "--environment-specular", "split_sum"},
             "--environment-specular");
-    refused({"-e", "furnace", "--environment-specular", "phong_levels"}, "--environment-specular");
+    refused({"--preset", "ggx-burley", "-e", "furnace", "--environment-specular", "mirror"}, "--environment-specular");
+    for (const char* levels : {"phong_levels", "ggx_levels", "mirror"})
+        refused({"-e", "furnace", "--environment-specular", levels}, "--environment-specular");
+}
+
+TEST_F(Sources, RefuseAnEnvironmentsMethodsWhereTheyHaveThemselves)
+{
+    refused({"--preset", "phong", "-e", "furnace", "--environment-diffuse", "sh9"}, "--environment-diffuse");
+    refused({"--preset", "ggx-burley", "-e", "furnace", "--dfg", "karis_mobile"}, "--dfg");
+    refused({"--preset", "phong", "-e", "furnace", "--view", "irradiance"}, "diffuse light from an environment");
+}
+
+// And --explain says what is looked up.
+TEST_F(Sources, DrawTheEnvironmentThatTheyDefine)
+{
+    const auto explained = [&](const std::string& preset) {
+        const std::string out = folder.file(preset + ".png");
+        const Outcome outcome =
+            runTorrance({"render", "demo", "-r", "16x16", "--preset", preset, "-e", "furnace", "--explain", "-o", out});
+        EXPECT_EQ(outcome.exitCode, 0) << outcome.errors;
+        EXPECT_TRUE(std::filesystem::exists(out)) << preset;
+        return outcome.output;
+    };
+    const std::string phong = explained("phong"), burley = explained("ggx-burley"), none = "albedo table: left out";
+    EXPECT_NE(phong.find("environment_specular: mirror"), std::string::npos) << phong;
+    EXPECT_NE(phong.find("parameter fresnel-exponent: 2"), std::string::npos) << phong;
+    EXPECT_NE(phong.find(none), std::string::npos) << phong;
+    EXPECT_NE(burley.find("environment_specular: ggx_levels"), std::string::npos) << burley;
+    EXPECT_EQ(burley.find(none), std::string::npos) << burley;
 }
 
 TEST_F(Sources, OfTheReferenceAreIntegratedOverAnEnvironmentOrRefused)
@@ -68,9 +101,11 @@ TEST_F(Sources, OfTheReferenceAreIntegratedOverAnEnvironmentOrRefused)
     EXPECT_TRUE(isOneLine(phong.errors)) << phong.errors;
     EXPECT_NE(phong.errors.find("--environment none"), std::string::npos) << phong.errors;
     EXPECT_TRUE(folder.names().empty());
-    const Outcome blinn = run("torrance-sparrow-blinn");
-    EXPECT_EQ(blinn.exitCode, 0) << blinn.errors;
-    EXPECT_TRUE(std::filesystem::exists(out));
+    for (const char* preset : {"torrance-sparrow-blinn", "ggx-burley"}) {
+        const Outcome outcome = run(preset);
+        EXPECT_EQ(outcome.exitCode, 0) << outcome.errors;
+        EXPECT_TRUE(std::filesystem::remove(out)) << preset;
+    }
 }
 
 TEST_F(Sources, RefuseLightsThatAreNone)

@@ -75,6 +75,16 @@ TEST(Deferred, SourceCIsItsForwardPicture)
                           "schlick-beckmann torus");
 }
 
+// What those of source B read of an environment: a table and levels, or the panorama itself.
+TEST(Deferred, SourceBInAnEnvironmentIsItsForwardPicture)
+{
+    Scene scene = texturedTorus();
+    scene.lights = {testLight(Light::Kind::directional)};
+    scene.environment = uniformEnvironment(dvec3(1.0, 0.9, 0.8));
+    for (const char* preset : {"ggx-burley", "phong"})
+        expectSameOnBothPaths(scene, fitCamera(scene, {0.4, 1.0}, 1.0, 0.7, 0.05), settingsOf(preset, 64), preset);
+}
+
 TEST(Deferred, TexturedMeshIsTheForwardPicture)
 {
     Scene scene = texturedTorus();

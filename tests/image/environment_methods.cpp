@@ -27,7 +27,7 @@ std::vector<const Method*> rowsOf(Slot slot)
 {
     std::vector<const Method*> rows;
     for (const Method& method : brdf::allMethods())
-        if (method.slot == slot && method.id != "phong_levels") // source E's, judged by itself
+        if (method.slot == slot && method.ownModel.empty()) // those of sources are judged by themselves
             rows.push_back(&method);
     return rows;
 }

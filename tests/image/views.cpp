@@ -118,14 +118,16 @@ TEST(ViewImage, OfTheEnvironmentInAFurnace)
     scene.environment = uniformEnvironment(dvec3(1.0, 0.5, 0.25));
     scene.environment->intensity = 2.0;
     const Camera camera = fitCamera(scene, {0.3, 1.3}, 1.0, 0.7, 0.15);
-    Settings settings = settingsOf("gltf", kSize);
-    const auto center = [&](const char* id) {
+    const auto center = [&](const char* preset, const char* id) {
+        Settings settings = settingsOf(preset, kSize);
         settings.view = findView(id);
         return dvec3(pixelOf(draw(scene, camera, settings), kSize / 2, kSize / 2));
     };
     const dvec3 radiance(2.0, 1.0, 0.5);
-    EXPECT_LT(glm::length(center("irradiance") - kPi * radiance), 1e-5);
-    EXPECT_LT(glm::length(center("prefiltered") - radiance), 1e-5);
+    for (const char* preset : {"gltf", "ggx-burley"})
+        EXPECT_LT(glm::length(center(preset, "irradiance") - kPi * radiance), 1e-5) << preset;
+    for (const char* preset : {"gltf", "ggx-burley", "phong"})
+        EXPECT_LT(glm::length(center(preset, "prefiltered") - radiance), 1e-5) << preset;
 }
 
 // The table is linear between its nodes: within 1e-4 of the integrals' sums (src/prepare/dfg_table.h).

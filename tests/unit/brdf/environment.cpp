@@ -2,7 +2,6 @@
 
 #include "brdf/albedo.h"
 #include "brdf/irradiance_window.h"
-#include "brdf/model_environment.h"
 #include "brdf/phong_levels.h"
 #include "math/pixel_rotation.h"
 #include "math/spherical_harmonics.h"
@@ -16,7 +15,7 @@ std::vector<const Method*> rowsOf(Slot slot)
 {
     std::vector<const Method*> rows;
     for (const Method& method : allMethods())
-        if (method.slot == slot && method.id != "phong_levels") // source E's, judged by itself
+        if (method.slot == slot && method.ownModel.empty()) // those of sources are judged by themselves
             rows.push_back(&method);
     return rows;
 }
@@ -136,26 +135,6 @@ TEST(PhongLevels, OfLowOrderLightAreTheClosedForm)
     }
     query.perceptualRoughness = 2.25 / 7.0; // linear between levels
     EXPECT_LE(glm::length(phongRadiance(query) - (0.75 * closedForm(2) + 0.25 * closedForm(3))), 1e-5);
-}
-
-// Light of radiance 1: reflectivity 0 is Lambert alone, a metal returns R0 = 1 times its colour at every angle, a
-// dielectric F + (1 - F) c.
-TEST(SourceEnvironment, OfEvenLightIsTheSourcesMixture)
-{
-    Preset preset = *findPreset("torrance-sparrow-blinn");
-    EnvironmentQuery query = queryAt(0.3, 0.5);
-    query.radiance = [](const dvec3&) { return dvec3(1); };
-    const dvec3 c(0.9, 0.5, 0.1);
-    const auto returned = [&](double metalness) {
-        return environment_torrance_sparrow_blinn(preset, query, c, metalness);
-    };
-    const double F = 0.04 + 0.96 * std::pow(0.7, 5);
-    EXPECT_LE(glm::length(returned(1.0) - c), 1e-12);
-    EXPECT_LE(glm::length(returned(0.0) - (dvec3(F) + (1 - F) * c)), 1e-12);
-    preset.options.reflectivity = 0.25;
-    EXPECT_LE(glm::length(returned(0.0) - (0.25 * (dvec3(F) + (1 - F) * c) + 0.75 * c)), 1e-12);
-    preset.options.reflectivity = 0.0;
-    EXPECT_LE(glm::length(returned(1.0) - c), 1e-12);
 }
 
 std::array<dvec3, 9> harmonicsOfSun(const dvec3& sun)

@@ -254,6 +254,25 @@ TEST(EnvironmentMaps, PhongLevelsAreTheZonalMeans)
     }
 }
 
+// The same of GGX at the roughnesses of source B.
+TEST(EnvironmentMaps, GgxLevelsAreTheZonalMeans)
+{
+    const Image image = landscapeWithSun(256, 1e6f);
+    const EnvironmentMaps maps = makeGgxLevelMaps(image);
+    ASSERT_EQ(maps.specular.levels, 6); // the environment, and five above it
+    const double mean = energyOf(image) / (4.0 * kPi);
+    for (int level = 1; level < maps.specular.levels; ++level) {
+        const double r = level / 5.0; // lod = 5 r
+        const int size = maps.specular.sizeOf(level);
+        const std::vector<float>& texels = maps.specular.data[static_cast<std::size_t>(level)];
+        const Worst worst = worstOfLevel(image, texels, size, size / 4, 0.07 * mean,
+                                         [&](double cosine) { return splitSumKernel(cosine, r * r); });
+        EXPECT_LT(worst.error, 0.01) << "level " << level << " face " << worst.face << " texel " << worst.x << ", "
+                                     << worst.y;
+        EXPECT_NEAR(energyOf(texels, size) / energyOf(image), 1.0, 5e-3) << "level " << level;
+    }
+}
+
 TEST_P(EnvironmentMapsOfSuns, EveryLevelHasThePanoramasEnergy)
 {
     const Image image = landscapeWithSun(256, GetParam());
