@@ -3,6 +3,7 @@
 #include "material/direction.glsl"
 #include "material/normal_map.glsl"
 #include "material/surface.glsl"
+#include "material/texels.glsl"
 #ifdef AA_TOKUYOSHI
 #include "material/aa_tokuyoshi.glsl"
 #endif
@@ -29,8 +30,8 @@ layout(location = 5) in vec4 inColor;
 #ifdef BASE_COLOR_UV_SOURCE
 layout(location = 7) in vec2 inBaseColorUv;
 #endif
-#ifdef METALLIC_ROUGHNESS_UV_SOURCE
-layout(location = 8) in vec2 inMetallicRoughnessUv;
+#ifdef MATERIAL_UV_SOURCE
+layout(location = 8) in vec2 inMaterialUv;
 #endif
 #ifdef NORMAL_UV_SOURCE
 layout(location = 9) in vec2 inNormalUv;
@@ -42,27 +43,37 @@ layout(location = 10) in vec2 inOcclusionUv;
 layout(location = 11) in vec2 inEmissiveUv;
 #endif
 
+Texels readTexels()
+{
+    Texels t;
 #ifdef BASE_COLOR_UV
-layout(set = 0, binding = kBindBaseColor) uniform sampler2D baseColorTexture;
+    t.baseColor = texture(baseColorTexture, BASE_COLOR_UV);
 #endif
-#ifdef METALLIC_ROUGHNESS_UV
-layout(set = 0, binding = kBindMetallicRoughness) uniform sampler2D metallicRoughnessTexture;
+#ifdef MATERIAL_UV
+    t.material = texture(scalarsTexture, MATERIAL_UV);
 #endif
 #ifdef NORMAL_UV
-layout(set = 0, binding = kBindNormal) uniform sampler2D normalTexture;
+    t.normal = texture(normalTexture, NORMAL_UV);
 #endif
 #ifdef OCCLUSION_UV
-layout(set = 0, binding = kBindOcclusion) uniform sampler2D occlusionTexture;
+    t.occlusion = texture(occlusionTexture, OCCLUSION_UV);
 #endif
 #ifdef EMISSIVE_UV
-layout(set = 0, binding = kBindEmissive) uniform sampler2D emissiveTexture;
+    t.emissive = texture(emissiveTexture, EMISSIVE_UV);
 #endif
+    return t;
+}
 
-vec4 readBaseColor()
+// Linear, with alpha; alpha is the texel's own where ALPHA_MASK or ALPHA_BLEND asks for it.
+vec4 baseColorOf(Texels t)
 {
     vec4 color = material.baseColorFactor;
 #ifdef BASE_COLOR_UV
-    color *= texture(baseColorTexture, BASE_COLOR_UV);
+#if defined(ALPHA_MASK) || defined(ALPHA_BLEND)
+    color *= t.baseColor;
+#else
+    color.rgb *= t.baseColor.rgb;
+#endif
 #endif
 #ifdef COLORS
     color *= inColor;
@@ -82,27 +93,34 @@ vec3 readGeometricNormal(vec3 view)
     return view;
 }
 
-vec3 readNormal(vec3 geometricNormal)
+// glTF 2.0, 3.9.4: the back of a double-sided surface has its normal reversed before lighting.
+float seenSide()
+{
+#ifdef DOUBLE_SIDED
+    return gl_FrontFacing ? 1.0 : -1.0;
+#else
+    return 1.0;
+#endif
+}
+
+vec3 readNormal(Texels t, vec3 geometricNormal)
 {
 #ifdef NORMALS
     if (dot(inNormal, inNormal) == 0.0)
         return geometricNormal; // no direction came out of the vertices
-    float side = 1.0;
-#ifdef DOUBLE_SIDED
-    side = gl_FrontFacing ? 1.0 : -1.0; // glTF 2.0, 3.9.4: the back has its normal reversed before lighting
+#ifdef TANGENTS
+    vec4 tangent = inTangent;
+#else
+    const vec4 tangent = vec4(0.0);
 #endif
-    vec3 n = normalize(inNormal);
-#ifdef NORMAL_UV
-    n = applyNormalMap(n, inTangent, decodeNormal(texture(normalTexture, NORMAL_UV).rgb, material.normalScale));
-#endif
-    return side * n;
+    return mappedNormal(normalize(inNormal), tangent, t, material.normalScale, seenSide());
 #else
     return geometricNormal;
 #endif
 }
 
 // The roughness with what the pixel's normals spread over (slot specular_antialiasing).
-float antialiasedRoughness(Surface s)
+float antialiasedRoughness(Surface s, Texels t)
 {
     float alpha = max(s.perceptualRoughness * s.perceptualRoughness, kMinAlpha);
     float filtered = alpha;
@@ -113,39 +131,24 @@ float antialiasedRoughness(Surface s)
     filtered = AA_tokuyoshi(dFdx(n), dFdy(n), alpha);
 #endif
 #ifdef AA_TOKSVIG
-    filtered = AA_toksvig(texture(normalTexture, NORMAL_UV).a, alpha);
+    filtered = AA_toksvig(t.normal.a, alpha);
 #endif
     return filtered == alpha ? s.perceptualRoughness : sqrt(filtered);
 }
 
 Surface readSurface()
 {
-    vec4 color = readBaseColor();
+    Texels t = readTexels();
+    vec4 color = baseColorOf(t);
 
     Surface s;
     s.position = inPosition;
     s.view = directionOf(frame.towardsEye - frame.eyeWeight * inPosition);
     s.geometricNormal = readGeometricNormal(s.view);
-    s.normal = bendNormal(readNormal(s.geometricNormal), s.view);
+    s.normal = bendNormal(readNormal(t, s.geometricNormal), s.view);
     s.baseColor = color.rgb;
     s.alpha = color.a;
-
-    s.perceptualRoughness = material.roughnessFactor;
-    s.metallic = material.metallicFactor;
-    s.ior = material.ior;
-#ifdef METALLIC_ROUGHNESS_UV
-    vec4 metallicRoughness = texture(metallicRoughnessTexture, METALLIC_ROUGHNESS_UV);
-    s.perceptualRoughness *= metallicRoughness.g;
-    s.metallic *= metallicRoughness.b;
-#endif
-    s.perceptualRoughness = antialiasedRoughness(s);
-    s.occlusion = 1.0;
-#ifdef OCCLUSION_UV
-    s.occlusion += material.occlusionStrength * (texture(occlusionTexture, OCCLUSION_UV).r - 1.0);
-#endif
-    s.emissive = material.emissiveFactor;
-#ifdef EMISSIVE_UV
-    s.emissive *= texture(emissiveTexture, EMISSIVE_UV).rgb;
-#endif
+    applyTexels(s, material, t);
+    s.perceptualRoughness = antialiasedRoughness(s, t);
     return s;
 }

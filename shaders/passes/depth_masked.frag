@@ -4,6 +4,6 @@
 
 void main()
 {
-    if (readBaseColor().a < material.alphaCutoff)
+    if (baseColorOf(readTexels()).a < material.alphaCutoff)
         discard;
 }

@@ -48,8 +48,8 @@ layout(location = 5) out vec4 outColor;
 #ifdef BASE_COLOR_UV_SOURCE
 layout(location = 7) out vec2 outBaseColorUv;
 #endif
-#ifdef METALLIC_ROUGHNESS_UV_SOURCE
-layout(location = 8) out vec2 outMetallicRoughnessUv;
+#ifdef MATERIAL_UV_SOURCE
+layout(location = 8) out vec2 outMaterialUv;
 #endif
 #ifdef NORMAL_UV_SOURCE
 layout(location = 9) out vec2 outNormalUv;
@@ -88,8 +88,8 @@ void main()
 #ifdef BASE_COLOR_UV_SOURCE
     outBaseColorUv = transformUv(material.baseColorUv, BASE_COLOR_UV_SOURCE);
 #endif
-#ifdef METALLIC_ROUGHNESS_UV_SOURCE
-    outMetallicRoughnessUv = transformUv(material.metallicRoughnessUv, METALLIC_ROUGHNESS_UV_SOURCE);
+#ifdef MATERIAL_UV_SOURCE
+    outMaterialUv = transformUv(material.materialUv, MATERIAL_UV_SOURCE);
 #endif
 #ifdef NORMAL_UV_SOURCE
     outNormalUv = transformUv(material.normalUv, NORMAL_UV_SOURCE);

@@ -11,7 +11,7 @@ SHARED_UINT(kBindInstance, 1);  // of the analytic shape that is drawn
 SHARED_UINT(kBindMaterial, 2);  // of what is drawn
 SHARED_UINT(kBindLights, 3);
 SHARED_UINT(kBindBaseColor, 4);
-SHARED_UINT(kBindMetallicRoughness, 5);
+SHARED_UINT(kBindScalars, 5); // occlusion, roughness, metallic
 SHARED_UINT(kBindNormal, 6);
 SHARED_UINT(kBindOcclusion, 7);
 SHARED_UINT(kBindEmissive, 8);
@@ -23,6 +23,9 @@ SHARED_UINT(kBindSource, 13); // the picture that an image pass reads
 SHARED_UINT(kBindProbeRows, 14);
 SHARED_UINT(kBindGBuffer, 15); // the first of the four pictures of shaders/passes/gbuffer.frag
 SHARED_UINT(kBindEnvironmentRadiance, 19); // with mips, for methods that draw samples
+
+SHARED_UINT(kBindAttributes, 20); // the first of the two pictures of shaders/passes/attributes.frag
+SHARED_UINT(kBindDepth, 22);
 
 SHARED_END
 

@@ -22,6 +22,7 @@ struct Frame
     vec3 down;
     vec3 forward;
     float orthographic; // 0 or 1
+    vec4 viewFromDepth; // (c.x z + c.y) / (c.z z + c.w) = distance along the axis of view of depth z
 
     mat3 environmentFromWorld; // rotation
     float environmentIntensity;

@@ -23,11 +23,20 @@ struct Material
     float alphaCutoff;
     float ior; // of the dielectric part
     UvTransform baseColorUv;
-    UvTransform metallicRoughnessUv;
+    UvTransform materialUv; // of the texture of scalars
     UvTransform normalUv;
     UvTransform occlusionUv;
     UvTransform emissiveUv;
+
+    // Read where a surface's attributes are kept apart from its shading.
+    uint slot;            // number among the materials of its class
+    vec2 texels;          // size of the textures that its level of detail is told in
+    vec4 levels;          // what that level differs by for base colour, scalars, normal, emissive
+    float occlusionLevel; // and for occlusion
 };
+
+// As many as are shaded in one go: 64 KiB hold more, a uniform block's limit.
+SHARED_UINT(kMaxClassMaterials, 256);
 
 SHARED_END
 

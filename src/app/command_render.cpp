@@ -61,8 +61,9 @@ void declare(CLI::App& app, Options& o)
            "Surface parameters as layers of an EXR or as files beside the picture: all, or names separated by commas")
         ->group("Output")
         ->type_name("NAMES");
-    addChoice(app, "--path", o.path, {"forward", "prepass", "deferred"},
-              "Shade surfaces as they are drawn, draw depth first, or shade from a G-buffer of floats")
+    addChoice(app, "--path", o.path, {"forward", "prepass", "attributes", "deferred"},
+              "Shade surfaces as they are drawn, draw depth first, shade each pixel once from what was interpolated, or "
+              "from a G-buffer of floats")
         ->group("Methods");
     app.add_flag("--explain", o.explain, "Print what is computed for the scene, what is left out and why");
     declareCameraOptions(app, o.camera);
@@ -93,7 +94,10 @@ double bytesPerPixel(const Options& o)
 
 RenderPath pathOf(const std::string& name)
 {
-    return name == "prepass" ? RenderPath::prepass : name == "deferred" ? RenderPath::deferred : RenderPath::forward;
+    return name == "prepass"      ? RenderPath::prepass
+           : name == "attributes" ? RenderPath::attributes
+           : name == "deferred"   ? RenderPath::deferred
+                                  : RenderPath::forward;
 }
 
 Settings settingsOf(const Options& o)

@@ -17,7 +17,8 @@ AccessState stateOf(Access access)
         return {kDepthStages, Bit::eDepthStencilAttachmentRead | Bit::eDepthStencilAttachmentWrite,
                 Layout::eDepthStencilAttachmentOptimal, true};
     case Access::depthTest:
-        return {kDepthStages, Bit::eDepthStencilAttachmentRead, Layout::eDepthStencilReadOnlyOptimal, false};
+        return {kDepthStages | Stage::eFragmentShader, Bit::eDepthStencilAttachmentRead | Bit::eShaderSampledRead,
+                Layout::eDepthStencilReadOnlyOptimal, false};
     case Access::sampled:
         return {Stage::eFragmentShader, Bit::eShaderSampledRead, Layout::eShaderReadOnlyOptimal, false};
     case Access::shaderRead:

@@ -14,7 +14,7 @@ enum class Access
 {
     colorAttachment, // loaded, cleared, blended, stored
     depthAttachment, // tested and written
-    depthTest,       // tested only
+    depthTest,       // tested only, and read in a fragment shader
     sampled,         // read in a fragment shader
     shaderRead,      // uniform or storage buffer, vertex and fragment shaders
     vertexRead,      // vertex and index buffers

@@ -6,12 +6,20 @@ namespace torrance::gpu {
 
 bool isDepthFormat(vk::Format format)
 {
-    return format == vk::Format::eD32Sfloat;
+    return format == vk::Format::eD32Sfloat || hasStencil(format);
+}
+
+bool hasStencil(vk::Format format)
+{
+    return format == vk::Format::eD32SfloatS8Uint;
 }
 
 vk::ImageAspectFlags DeviceImage::aspect() const
 {
-    return isDepthFormat(shape.format) ? vk::ImageAspectFlagBits::eDepth : vk::ImageAspectFlagBits::eColor;
+    using Aspect = vk::ImageAspectFlagBits;
+    if (hasStencil(shape.format))
+        return Aspect::eDepth | Aspect::eStencil;
+    return isDepthFormat(shape.format) ? Aspect::eDepth : Aspect::eColor;
 }
 
 DeviceImage makeImage(const Device& device, const ImageShape& shape, vk::ImageUsageFlags usage, std::string_view name)
@@ -44,6 +52,16 @@ DeviceImage makeImage(const Device& device, const ImageShape& shape, vk::ImageUs
          .viewType = shape.cube ? vk::ImageViewType::eCube : vk::ImageViewType::e2D,
          .format = shape.format,
          .subresourceRange = {.aspectMask = image.aspect(), .levelCount = shape.mips, .layerCount = shape.layers}});
+    if (hasStencil(shape.format) && (usage & vk::ImageUsageFlagBits::eSampled)) {
+        image.depthView = vk::raii::ImageView(
+            device.handle,
+            {.image = *image.handle,
+             .viewType = vk::ImageViewType::e2D,
+             .format = shape.format,
+             .subresourceRange = {
+                 .aspectMask = vk::ImageAspectFlagBits::eDepth, .levelCount = shape.mips, .layerCount = shape.layers}});
+        device.name(image.depthView, name);
+    }
     device.name(image.memory, name);
     device.name(image.handle, name);
     device.name(image.view, name);

@@ -26,6 +26,7 @@ struct DeviceImage
     vk::raii::DeviceMemory memory = nullptr; // before the handle: freed after it
     vk::raii::Image handle = nullptr;
     vk::raii::ImageView view = nullptr;
+    vk::raii::ImageView depthView = nullptr; // of the depth alone, where there is a stencil beside it: to be sampled
     ImageShape shape;
     mutable AccessHistory history; // noted by Commands, also for who only reads
 
@@ -36,5 +37,6 @@ struct DeviceImage
 DeviceImage makeImage(const Device& device, const ImageShape& shape, vk::ImageUsageFlags usage, std::string_view name);
 
 bool isDepthFormat(vk::Format format);
+bool hasStencil(vk::Format format);
 
 } // namespace torrance::gpu

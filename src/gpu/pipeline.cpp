@@ -31,13 +31,23 @@ vk::raii::DescriptorSetLayout makeSetLayout(const Device& device, const std::vec
                                               .pBindings = list.data()}};
 }
 
-vk::PipelineDepthStencilStateCreateInfo depthState(DepthUse use)
+vk::PipelineDepthStencilStateCreateInfo depthState(DepthUse use, StencilUse stencil)
 {
+    const bool writes = stencil == StencilUse::write;
+    const vk::StencilOpState face = {.failOp = vk::StencilOp::eKeep,
+                                     .passOp = writes ? vk::StencilOp::eReplace : vk::StencilOp::eKeep,
+                                     .depthFailOp = vk::StencilOp::eKeep,
+                                     .compareOp = writes ? vk::CompareOp::eAlways : vk::CompareOp::eEqual,
+                                     .compareMask = 0xff,
+                                     .writeMask = writes ? 0xffu : 0u};
     const bool tests = use != DepthUse::none;
     // Reversed depth: 1 at the near plane, 0 at infinity and where nothing was drawn.
     return {.depthTestEnable = tests,
             .depthWriteEnable = use == DepthUse::testAndWrite,
-            .depthCompareOp = use == DepthUse::equal ? vk::CompareOp::eEqual : vk::CompareOp::eGreaterOrEqual};
+            .depthCompareOp = use == DepthUse::equal ? vk::CompareOp::eEqual : vk::CompareOp::eGreaterOrEqual,
+            .stencilTestEnable = stencil != StencilUse::none,
+            .front = face,
+            .back = face};
 }
 
 vk::PipelineColorBlendAttachmentState blendState(Blend blend)
@@ -113,18 +123,23 @@ vk::raii::Pipeline makeHandle(const Device& device, const CompiledShader& vertex
     const vk::PipelineViewportStateCreateInfo viewport = {.viewportCount = 1, .scissorCount = 1};
     const vk::PipelineRasterizationStateCreateInfo raster = {.polygonMode = vk::PolygonMode::eFill, .lineWidth = 1.0f};
     const vk::PipelineMultisampleStateCreateInfo samples = {.rasterizationSamples = vk::SampleCountFlagBits::e1};
-    const auto depth = depthState(description.depth);
+    const auto depth = depthState(description.depth, description.stencil);
     const std::vector blends(description.colorFormats.size(), blendState(description.blend));
     const vk::PipelineColorBlendStateCreateInfo blend = {.attachmentCount = static_cast<std::uint32_t>(blends.size()),
                                                          .pAttachments = blends.data()};
-    const std::array dynamics = {vk::DynamicState::eViewport, vk::DynamicState::eScissor, vk::DynamicState::eCullMode,
-                                 vk::DynamicState::eFrontFace};
-    const vk::PipelineDynamicStateCreateInfo dynamic = {.dynamicStateCount = dynamics.size(),
-                                                        .pDynamicStates = dynamics.data()};
+    std::vector dynamics = {vk::DynamicState::eViewport, vk::DynamicState::eScissor, vk::DynamicState::eCullMode,
+                            vk::DynamicState::eFrontFace};
+    if (description.stencil != StencilUse::none)
+        dynamics.push_back(vk::DynamicState::eStencilReference);
+    const vk::PipelineDynamicStateCreateInfo dynamic = {
+        .dynamicStateCount = static_cast<std::uint32_t>(dynamics.size()), .pDynamicStates = dynamics.data()};
     const vk::PipelineRenderingCreateInfo rendering = {
         .colorAttachmentCount = static_cast<std::uint32_t>(description.colorFormats.size()),
         .pColorAttachmentFormats = description.colorFormats.data(),
-        .depthAttachmentFormat = description.depthFormat.value_or(vk::Format::eUndefined)};
+        .depthAttachmentFormat = description.depthFormat.value_or(vk::Format::eUndefined),
+        .stencilAttachmentFormat = description.depthFormat && hasStencil(*description.depthFormat)
+                                       ? *description.depthFormat
+                                       : vk::Format::eUndefined};
     vk::raii::Pipeline pipeline(device.handle, nullptr,
                                 vk::GraphicsPipelineCreateInfo{.pNext = &rendering,
                                                                .stageCount = fragment ? 2u : 1u,
@@ -187,7 +202,10 @@ void Bindings::set(std::uint32_t binding, const Buffer& buffer, vk::DeviceSize o
 void Bindings::set(std::uint32_t binding, const DeviceImage& image, const vk::raii::Sampler& sampler)
 {
     item(binding).image = vk::DescriptorImageInfo{
-        .sampler = *sampler, .imageView = *image.view, .imageLayout = vk::ImageLayout::eShaderReadOnlyOptimal};
+        .sampler = *sampler,
+        .imageView = *image.depthView ? *image.depthView : *image.view,
+        .imageLayout = *image.depthView ? vk::ImageLayout::eDepthStencilReadOnlyOptimal // it may be tested meanwhile
+                                        : vk::ImageLayout::eShaderReadOnlyOptimal};
 }
 
 void Bindings::push(const vk::raii::CommandBuffer& commands, const Pipeline& pipeline) const

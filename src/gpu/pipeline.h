@@ -29,6 +29,13 @@ enum class DepthUse
     equal, // passes at the depth that lies there already: a surface drawn again, or 0 where nothing was drawn
 };
 
+enum class StencilUse
+{
+    none,
+    write, // the reference, where a fragment passes the depth test
+    equal, // passes where the reference lies there already
+};
+
 enum class Blend
 {
     replace,
@@ -44,6 +51,7 @@ struct PipelineDescription
     std::vector<vk::Format> colorFormats = {};
     std::optional<vk::Format> depthFormat = {};
     DepthUse depth = DepthUse::none;
+    StencilUse stencil = StencilUse::none; // the reference is dynamic state
     Blend blend = Blend::replace;
     std::vector<std::uint32_t> constants = {}; // specialization constants 0, 1, ... of the fragment shader, as bits
 };

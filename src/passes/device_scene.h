@@ -17,7 +17,8 @@ struct DeviceScene
     MeshBuffers meshes;
     Textures textures;
     EnvironmentImages environment;
-    gpu::UniformBlocks materials; // by ShadingPlan::materials
+    gpu::UniformBlocks materials;      // by ShadingPlan::blocks
+    gpu::UniformBlocks classMaterials; // of the attributes path: attribute_pass.h
 };
 
 } // namespace torrance

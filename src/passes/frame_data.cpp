@@ -1,9 +1,12 @@
 #include "passes/frame_data.h"
 
+#include "plan/attribute_plan.h"
 #include "scene/camera_view.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <optional>
 
 namespace torrance {
 namespace {
@@ -56,6 +59,35 @@ shared::UvTransform uvTransform(const TextureUse& use)
     return {.u = vec3(dvec3(t[0].x, t[1].x, t[2].x)), .v = vec3(dvec3(t[0].y, t[1].y, t[2].y))};
 }
 
+// The level of detail is told in texels of the first texture there is; another's is finer or coarser by the ratio of
+// their sizes.
+void setLevels(shared::Material& material, const Scene& scene, const ShadingPlan& plan, const TextureSet& textures)
+{
+    std::array<float, kTextureRoles> levels = {};
+    std::optional<ivec2> first;
+    for (std::size_t role = 0; role < kTextureRoles; ++role) {
+        if (textures[role] < 0)
+            continue;
+        const ivec2 size = sizeOf(scene, plan.textures[static_cast<std::size_t>(textures[role])]);
+        if (!first)
+            first = size;
+        levels[role] = static_cast<float>(std::log2(static_cast<double>(size.x) / first->x));
+    }
+    material.texels = vec2(first.value_or(ivec2(1)));
+    const auto of = [&](TextureRole role) { return levels[static_cast<std::size_t>(role)]; };
+    material.levels =
+        vec4(of(TextureRole::baseColor), of(TextureRole::material), of(TextureRole::normal), of(TextureRole::emissive));
+    material.occlusionLevel = of(TextureRole::occlusion);
+}
+
+// See shared::Frame::viewFromDepth; the depth of a point is what projectionMatrix makes of it.
+vec4 viewFromDepth(const Camera& camera, const dmat4& projection)
+{
+    const double scale = projection[2][2], offset = projection[3][2];
+    return camera.kind == Camera::Kind::orthographic ? vec4(dvec4(-1.0, offset, 0.0, scale))
+                                                     : vec4(dvec4(0.0, offset, 1.0, scale));
+}
+
 } // namespace
 
 shared::Frame makeFrame(const Scene& scene, const ShadingPlan& plan, const Camera& camera, const dvec2& offset,
@@ -75,7 +107,9 @@ shared::Frame makeFrame(const Scene& scene, const ShadingPlan& plan, const Camer
     const dvec3 down = (rayPoint(0, height) - origin) / double(height);
 
     shared::Frame frame = {};
-    frame.clipFromEye = mat4(shift * projectionMatrix(camera, double(width) / height) * dmat4(viewAxes));
+    const dmat4 projection = projectionMatrix(camera, double(width) / height);
+    frame.clipFromEye = mat4(shift * projection * dmat4(viewAxes));
+    frame.viewFromDepth = viewFromDepth(camera, projection);
     frame.towardsEye = orthographic ? vec3(-forward) : vec3(0.0f);
     frame.eyeWeight = orthographic ? 0.0f : 1.0f;
     frame.corner = vec3(origin + offset.x * across + offset.y * down);
@@ -115,24 +149,27 @@ std::vector<shared::Instance> makeInstances(const ShadingPlan& plan, const MeshB
     return instances;
 }
 
-std::vector<shared::Material> makeMaterials(const ShadingPlan& plan)
+std::vector<shared::Material> makeMaterials(const Scene& scene, const ShadingPlan& plan)
 {
     std::vector<shared::Material> materials;
-    for (const PlannedMaterial& planned : plan.materials) {
-        const Material& m = planned.material;
-        materials.push_back({.baseColorFactor = vec4(m.baseColorFactor),
-                             .emissiveFactor = vec3(m.emissiveFactor),
-                             .metallicFactor = static_cast<float>(m.metallicFactor),
-                             .roughnessFactor = static_cast<float>(m.roughnessFactor),
-                             .normalScale = static_cast<float>(m.normalScale),
-                             .occlusionStrength = static_cast<float>(m.occlusionStrength),
-                             .alphaCutoff = static_cast<float>(m.alphaCutoff),
-                             .ior = static_cast<float>(m.ior),
-                             .baseColorUv = uvTransform(m.baseColor),
-                             .metallicRoughnessUv = uvTransform(m.metallicRoughness),
-                             .normalUv = uvTransform(m.normal),
-                             .occlusionUv = uvTransform(m.occlusion),
-                             .emissiveUv = uvTransform(m.emissive)});
+    for (const MaterialBlock& block : plan.blocks) {
+        const Material& m = plan.materials[static_cast<std::size_t>(block.material)].material;
+        shared::Material result = {.baseColorFactor = vec4(m.baseColorFactor),
+                                   .emissiveFactor = vec3(m.emissiveFactor),
+                                   .metallicFactor = static_cast<float>(m.metallicFactor),
+                                   .roughnessFactor = static_cast<float>(m.roughnessFactor),
+                                   .normalScale = static_cast<float>(m.normalScale),
+                                   .occlusionStrength = static_cast<float>(m.occlusionStrength),
+                                   .alphaCutoff = static_cast<float>(m.alphaCutoff),
+                                   .ior = static_cast<float>(m.ior),
+                                   .baseColorUv = uvTransform(m.baseColor),
+                                   .materialUv = uvTransform(m.metallicRoughness),
+                                   .normalUv = uvTransform(m.normal),
+                                   .occlusionUv = uvTransform(m.occlusion),
+                                   .emissiveUv = uvTransform(m.emissive),
+                                   .slot = static_cast<std::uint32_t>(block.slot)};
+        setLevels(result, scene, plan, block.textures);
+        materials.push_back(result);
     }
     return materials;
 }

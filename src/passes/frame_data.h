@@ -18,7 +18,8 @@ shared::Frame makeFrame(const Scene& scene, const ShadingPlan& plan, const Camer
                         int environmentLevels, int panoramaWidth);
 
 std::vector<shared::Instance> makeInstances(const ShadingPlan& plan, const MeshBuffers& meshes, const dvec3& eye);
-std::vector<shared::Material> makeMaterials(const ShadingPlan& plan);
+/// By ShadingPlan::blocks.
+std::vector<shared::Material> makeMaterials(const Scene& scene, const ShadingPlan& plan);
 std::vector<shared::Light> makeLights(const ShadingPlan& plan, const dvec3& eye);
 
 } // namespace torrance

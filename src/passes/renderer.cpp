@@ -2,12 +2,14 @@
 
 #include "gpu/guard.h"
 #include "image/reconstruction.h"
+#include "passes/attribute_pass.h"
 #include "passes/deferred_pass.h"
 #include "passes/frame_data.h"
 #include "passes/frame_inputs.h"
 #include "passes/layers.h"
 #include "passes/sampler.h"
 #include "passes/targets.h"
+#include "plan/attribute_plan.h"
 #include "scene/camera_view.h"
 #include "shaders/shared/bindings.h"
 
@@ -27,6 +29,13 @@ ClearColor backgroundClear(const Settings& settings)
     return vec4(vec3(color), 1.0f); // of an environment that is not there: black
 }
 
+// Whether the attributes path leaves something to be shaded as it is drawn.
+bool drawsDirectly(const ShadingPlan& plan)
+{
+    return !plan.blended.empty() ||
+           std::ranges::any_of(plan.batches, [](const Batch& batch) { return batch.shadingClass < 0; });
+}
+
 dvec3 forwardOf(const Camera& camera)
 {
     const dmat4 view = viewFromWorld(camera);
@@ -44,20 +53,23 @@ Renderer::Renderer(const gpu::Device& d, gpu::ShaderLibrary& s, const std::files
 DeviceScene Renderer::upload(const Scene& scene, const ShadingPlan& plan)
 {
     return gpu::guarded(device, [&] {
+        const std::vector<shared::Material> materials = makeMaterials(scene, plan);
         return DeviceScene{.scene = scene,
                            .plan = plan,
                            .meshes = makeMeshBuffers(device, scene, plan),
                            .textures = Textures(device, scene, plan),
                            .environment = environments.get(scene, plan),
-                           .materials = gpu::makeUniformBlocks<shared::Material>(device, shared::kBindMaterial,
-                                                                                 makeMaterials(plan), "materials")};
+                           .materials =
+                               gpu::makeUniformBlocks(device, shared::kBindMaterial, std::span(materials), "materials"),
+                           .classMaterials = makeClassBlocks(device, plan, materials)};
     });
 }
 
 const gpu::Pipeline& Renderer::imagePipeline(const std::string& fragment, const std::string& selected,
                                              const gpu::PipelineDescription& description)
 {
-    std::string identity = fragment + selected;
+    std::string identity =
+        fragment + selected + vk::to_string(description.depthFormat.value_or(vk::Format::eUndefined));
     for (const std::uint32_t constant : description.constants)
         identity += " " + std::to_string(constant);
     if (const auto found = imagePipelines.find(identity); found != imagePipelines.end())
@@ -72,10 +84,11 @@ void Renderer::drawBackground(gpu::Commands& commands, const FrameInputs& frame)
 {
     if (!frame.scene.plan.panorama)
         return; // the target was cleared to it
+    const bool attributes = frame.scene.plan.settings.path == RenderPath::attributes;
     const gpu::Pipeline& pipeline = imagePipeline("passes/background.frag", "",
                                                   {.name = "background",
                                                    .colorFormats = {kColorFormat},
-                                                   .depthFormat = kDepthFormat,
+                                                   .depthFormat = attributes ? kDepthStencilFormat : kDepthFormat,
                                                    .depth = gpu::DepthUse::equal});
     commands.buffer.setCullMode(vk::CullModeFlagBits::eNone);
     commands.buffer.bindPipeline(vk::PipelineBindPoint::eGraphics, *pipeline.handle);
@@ -89,19 +102,23 @@ FrameInputs Renderer::inputsOf(const DeviceScene& scene, const Camera& camera, c
                            picture);
 }
 
-void Renderer::prepareTargets(const Settings& settings)
+void Renderer::prepareTargets(const ShadingPlan& plan)
 {
-    const bool deferred = settings.path == RenderPath::deferred;
+    const Settings& settings = plan.settings;
+    const std::size_t pictures = attributesHaveUv(plan) ? 2 : 1;
     if (targets.width != settings.width || targets.height != settings.height) {
         targets = {}; // the old ones go before the new ones come
-        targets = {.width = settings.width,
-                   .height = settings.height,
-                   .color = makeColorTarget(device, settings.width, settings.height, "color"),
-                   .depth = makeDepthTarget(device, settings.width, settings.height),
-                   .gbuffer = {}};
+        targets.width = settings.width;
+        targets.height = settings.height;
+        targets.color = makeColorTarget(device, settings.width, settings.height, "color");
     }
-    if (deferred && targets.gbuffer.empty())
+    const bool attributes = settings.path == RenderPath::attributes;
+    if (settings.path == RenderPath::deferred && targets.gbuffer.empty())
         targets.gbuffer = makeGBuffer(device, settings.width, settings.height);
+    if (attributes && (!targets.attributes || targets.attributes->pictures.size() < pictures))
+        targets.attributes = makeAttributeTargets(device, settings.width, settings.height, pictures);
+    if ((!attributes || settings.layers) && !targets.depth)
+        targets.depth = makeDepthTarget(device, settings.width, settings.height);
 }
 
 void Renderer::drawBatches(gpu::Commands& commands, const FrameInputs& frame, SurfaceOutput output)
@@ -113,12 +130,12 @@ void Renderer::drawBatches(gpu::Commands& commands, const FrameInputs& frame, Su
 
 void Renderer::drawOne(gpu::Commands& commands, const FrameInputs& frame, const Batch& batch, SurfaceOutput output)
 {
-    drawBatch(commands, surfacePipelines.get(frame.scene.plan, batch.key, output), batch, output, frame);
+    drawBatch(commands, surfacePipelines.get(frame.scene.plan, batch, output), batch, output, frame);
 }
 
 void Renderer::drawDepth(gpu::Commands& commands, const FrameInputs& frame)
 {
-    beginRendering(commands, {}, &targets.depth, {}, LoadTarget::clear);
+    beginRendering(commands, {}, &*targets.depth, {}, LoadTarget::clear);
     drawBatches(commands, frame, SurfaceOutput::depth);
     commands.buffer.endRendering();
 }
@@ -128,7 +145,7 @@ void Renderer::drawGBuffer(gpu::Commands& commands, const FrameInputs& frame)
     std::vector<const gpu::DeviceImage*> pointers;
     for (const gpu::DeviceImage& target : targets.gbuffer)
         pointers.push_back(&target);
-    beginRendering(commands, pointers, &targets.depth, kClearToNothing, LoadTarget::clear);
+    beginRendering(commands, pointers, &*targets.depth, kClearToNothing, LoadTarget::clear);
     drawBatches(commands, frame, SurfaceOutput::gbuffer);
     commands.buffer.endRendering();
 }
@@ -147,6 +164,60 @@ void Renderer::drawLighting(gpu::Commands& commands, const FrameInputs& frame)
     }
 }
 
+void Renderer::drawAttributes(gpu::Commands& commands, const FrameInputs& frame)
+{
+    std::vector<const gpu::DeviceImage*> pointers;
+    for (const gpu::DeviceImage& picture : targets.attributes->pictures)
+        pointers.push_back(&picture);
+    // What lies under no class is never read: nothing is cleared but depth and classes.
+    beginRendering(commands, pointers, &targets.attributes->depth, kKeep, LoadTarget::clear);
+    for (const Batch& batch : frame.scene.plan.batches) {
+        if (batch.shadingClass < 0)
+            continue;
+        commands.buffer.setStencilReference(vk::StencilFaceFlagBits::eFrontAndBack,
+                                            static_cast<std::uint32_t>(batch.shadingClass + 1));
+        drawOne(commands, frame, batch, SurfaceOutput::attributes);
+    }
+    commands.buffer.endRendering();
+}
+
+void Renderer::resolveAttributes(gpu::Commands& commands, const FrameInputs& frame)
+{
+    const ShadingPlan& plan = frame.scene.plan;
+    commands.use(attributeUses(*targets.attributes));
+    const std::array colors = {&targets.color};
+    beginRendering(commands, colors, &targets.attributes->depth, backgroundClear(plan.settings), LoadTarget::readOnly);
+    for (std::size_t i = 0; i < plan.classes.size(); ++i) {
+        const ResolveForm form = resolveForm(plan, plan.classes[i]);
+        const gpu::Pipeline& pipeline = imagePipeline("passes/resolve.frag", form.selected, form.description);
+        commands.buffer.bindPipeline(vk::PipelineBindPoint::eGraphics, *pipeline.handle);
+        commands.buffer.setStencilReference(vk::StencilFaceFlagBits::eFrontAndBack, static_cast<std::uint32_t>(i + 1));
+        resolveBindings(frame, i, *targets.attributes, tableSampler).push(commands.buffer, pipeline);
+        commands.buffer.draw(3, 1, 0, 0);
+    }
+    drawBackground(commands, frame);
+    commands.buffer.endRendering();
+}
+
+void Renderer::drawDirectly(gpu::Commands& commands, const FrameInputs& frame)
+{
+    const ShadingPlan& plan = frame.scene.plan;
+    const std::array colors = {&targets.color};
+    beginRendering(commands, colors, &targets.attributes->depth, kKeep, LoadTarget::keep);
+    for (const Batch& batch : plan.batches)
+        if (batch.shadingClass < 0)
+            drawOne(commands, frame, batch, SurfaceOutput::color);
+    drawBlended(commands, frame);
+    commands.buffer.endRendering();
+}
+
+void Renderer::drawBlended(gpu::Commands& commands, const FrameInputs& frame)
+{
+    const dvec3 eye = cameraPosition(frame.camera);
+    for (const Batch* batch : sortedBlended(frame.scene.plan, eye, forwardOf(frame.camera)))
+        drawOne(commands, frame, *batch, SurfaceOutput::color);
+}
+
 void Renderer::drawSurfaces(gpu::Commands& commands, const FrameInputs& frame)
 {
     const ShadingPlan& plan = frame.scene.plan;
@@ -154,7 +225,7 @@ void Renderer::drawSurfaces(gpu::Commands& commands, const FrameInputs& frame)
     if (path == RenderPath::deferred)
         commands.use(gbufferUses(targets.gbuffer));
     const std::array colors = {&targets.color};
-    beginRendering(commands, colors, &targets.depth, backgroundClear(plan.settings),
+    beginRendering(commands, colors, &*targets.depth, backgroundClear(plan.settings),
                    path == RenderPath::forward ? LoadTarget::clear : LoadTarget::keep);
     switch (path) {
     case RenderPath::forward:
@@ -166,10 +237,11 @@ void Renderer::drawSurfaces(gpu::Commands& commands, const FrameInputs& frame)
     case RenderPath::deferred:
         drawLighting(commands, frame);
         break;
+    case RenderPath::attributes:
+        break; // resolveAttributes
     }
     drawBackground(commands, frame);
-    for (const Batch* batch : sortedBlended(plan, cameraPosition(frame.camera), forwardOf(frame.camera)))
-        drawOne(commands, frame, *batch, SurfaceOutput::color);
+    drawBlended(commands, frame);
     commands.buffer.endRendering();
 }
 
@@ -196,14 +268,20 @@ void Renderer::drawColor(const DeviceScene& scene, const Camera& camera, const d
                          const PassObserver& observer)
 {
     const RenderPath path = scene.plan.settings.path;
-    prepareTargets(scene.plan.settings);
+    prepareTargets(scene.plan);
     const FrameInputs frame = inputsOf(scene, camera, offset, picture);
     std::vector<Pass> passes;
     if (path == RenderPath::prepass)
         passes.push_back({"depth", [&](gpu::Commands& commands) { drawDepth(commands, frame); }});
     if (path == RenderPath::deferred)
         passes.push_back({"G-buffer", [&](gpu::Commands& commands) { drawGBuffer(commands, frame); }});
-    passes.push_back({"surfaces", [&](gpu::Commands& commands) { drawSurfaces(commands, frame); }});
+    if (path == RenderPath::attributes) {
+        passes.push_back({"attributes", [&](gpu::Commands& commands) { drawAttributes(commands, frame); }});
+        passes.push_back({"shading", [&](gpu::Commands& commands) { resolveAttributes(commands, frame); }});
+        if (drawsDirectly(scene.plan))
+            passes.push_back({"surfaces", [&](gpu::Commands& commands) { drawDirectly(commands, frame); }});
+    } else
+        passes.push_back({"surfaces", [&](gpu::Commands& commands) { drawSurfaces(commands, frame); }});
     run(passes, frame, observer);
 }
 
@@ -245,7 +323,7 @@ std::vector<Layer> Renderer::drawLayers(const DeviceScene& scene, const Camera& 
 
     gpu::Commands commands(device);
     useFrame(commands, frame);
-    beginRendering(commands, pointers, &targets.depth, kClearToNothing, LoadTarget::clear);
+    beginRendering(commands, pointers, &*targets.depth, kClearToNothing, LoadTarget::clear);
     for (const auto* list : {&scene.plan.batches, &scene.plan.blended})
         for (const Batch& batch : *list)
             drawOne(commands, frame, batch, SurfaceOutput::layers);

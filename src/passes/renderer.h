@@ -4,6 +4,7 @@
 #include "gpu/device.h"
 #include "gpu/shader_library.h"
 #include "image/image.h"
+#include "passes/attribute_pass.h"
 #include "passes/device_scene.h"
 #include "passes/frame_inputs.h"
 #include "passes/surface_pass.h"
@@ -63,8 +64,9 @@ private:
         int width = 0;
         int height = 0;
         gpu::DeviceImage color;
-        gpu::DeviceImage depth;
-        std::vector<gpu::DeviceImage> gbuffer; // of the deferred path
+        std::optional<gpu::DeviceImage> depth;
+        std::vector<gpu::DeviceImage> gbuffer;      // of the deferred path
+        std::optional<AttributeTargets> attributes; // of the attributes path
     };
     // A part of a frame that begins and ends its own rendering.
     struct Pass
@@ -72,7 +74,7 @@ private:
         const char* name;
         std::function<void(gpu::Commands&)> record;
     };
-    void prepareTargets(const Settings& settings);
+    void prepareTargets(const ShadingPlan& plan);
     FrameInputs inputsOf(const DeviceScene& scene, const Camera& camera, const dvec2& offset, int picture);
     void drawColor(const DeviceScene& scene, const Camera& camera, const dvec2& offset, int picture,
                    const PassObserver& observer);
@@ -80,6 +82,10 @@ private:
     void drawBatches(gpu::Commands& commands, const FrameInputs& frame, SurfaceOutput output);
     void drawOne(gpu::Commands& commands, const FrameInputs& frame, const Batch& batch, SurfaceOutput output);
     void drawDepth(gpu::Commands& commands, const FrameInputs& frame);
+    void drawAttributes(gpu::Commands& commands, const FrameInputs& frame);
+    void resolveAttributes(gpu::Commands& commands, const FrameInputs& frame);
+    void drawDirectly(gpu::Commands& commands, const FrameInputs& frame);
+    void drawBlended(gpu::Commands& commands, const FrameInputs& frame);
     void drawGBuffer(gpu::Commands& commands, const FrameInputs& frame);
     void drawLighting(gpu::Commands& commands, const FrameInputs& frame);
     void drawSurfaces(gpu::Commands& commands, const FrameInputs& frame);

@@ -1,6 +1,7 @@
 #include "passes/surface_pass.h"
 
 #include "passes/targets.h"
+#include "plan/attribute_plan.h"
 #include "plan/deferred_plan.h"
 #include "shaders/shared/bindings.h"
 #include "shaders/shared/instance.h"
@@ -118,6 +119,8 @@ OutputForm formOf(const ShadingPlan& plan, const ShaderKey& key, SurfaceOutput o
         return {isPlainDepth(key, output) ? "" : "passes/depth_masked.frag", 0, {}};
     case SurfaceOutput::layers:
         return {"passes/surface_layers.frag", kLayerTargets, {}};
+    case SurfaceOutput::attributes:
+        return {"passes/attributes.frag", attributesHaveUv(plan) ? 2u : 1u, {}};
     case SurfaceOutput::gbuffer:
         return {"passes/gbuffer.frag", kGBufferTargets, {lightingClassIndex(plan, key)}};
     case SurfaceOutput::color:
@@ -135,15 +138,19 @@ gpu::DepthUse depthUseOf(const ShaderKey& key, SurfaceOutput output)
     return blends ? gpu::DepthUse::testOnly : gpu::DepthUse::testAndWrite;
 }
 
-gpu::PipelineDescription describePipeline(const ShaderKey& key, SurfaceOutput output, const OutputForm& form)
+gpu::PipelineDescription describePipeline(const ShadingPlan& plan, const ShaderKey& key, SurfaceOutput output,
+                                          const OutputForm& form)
 {
+    const bool attributes = output == SurfaceOutput::attributes;
+    const bool besideClasses = plan.settings.path == RenderPath::attributes && output != SurfaceOutput::layers;
     const bool blends = key.alphaMode == AlphaMode::blend && output == SurfaceOutput::color;
     gpu::PipelineDescription description = {
         .name = key.name(),
         .topology = topologyOf(key.surface),
-        .colorFormats = std::vector(form.targets, kColorFormat),
-        .depthFormat = kDepthFormat,
+        .colorFormats = std::vector(form.targets, attributes ? kAttributeFormat : kColorFormat),
+        .depthFormat = besideClasses ? kDepthStencilFormat : kDepthFormat,
         .depth = depthUseOf(key, output),
+        .stencil = attributes ? gpu::StencilUse::write : gpu::StencilUse::none,
         .blend = blends ? gpu::Blend::premultiplied : gpu::Blend::replace,
         .constants = form.constants,
     };
@@ -212,14 +219,18 @@ std::vector<std::uint32_t> shadingConstants(const ShadingPlan& plan)
     return constants;
 }
 
-const gpu::Pipeline& SurfacePipelines::get(const ShadingPlan& plan, const ShaderKey& key, SurfaceOutput output)
+const gpu::Pipeline& SurfacePipelines::get(const ShadingPlan& plan, const Batch& batch, SurfaceOutput output)
 {
+    const ShaderKey& key = batch.key;
     const bool plainDepth = isPlainDepth(key, output);
-    const std::string selected = plainDepth ? "" : selectedText(plan, key);
+    const std::string selected = plainDepth                            ? ""
+                                 : output == SurfaceOutput::attributes ? attributesText(plan, batch)
+                                                                       : selectedText(plan, key);
     const OutputForm form = formOf(plan, key, output);
-    const gpu::PipelineDescription description = describePipeline(key, output, form);
+    const gpu::PipelineDescription description = describePipeline(plan, key, output, form);
     std::string identity = selected + form.fragment + vk::to_string(description.topology) +
-                           std::to_string(static_cast<int>(description.depth));
+                           std::to_string(static_cast<int>(description.depth)) +
+                           vk::to_string(*description.depthFormat);
     for (const std::uint32_t constant : form.constants)
         identity += " " + std::to_string(constant);
     if (const auto found = pipelines.find(identity); found != pipelines.end())
@@ -241,28 +252,30 @@ bool hasDepthPass(const ShaderKey& key)
     return !isShape(key.surface);
 }
 
+void bindTextures(gpu::Bindings& bindings, const TextureSet& set, const Textures& textures)
+{
+    constexpr std::array kBindings = {shared::kBindBaseColor, shared::kBindScalars, shared::kBindNormal,
+                                      shared::kBindOcclusion, shared::kBindEmissive}; // by TextureRole
+    for (std::size_t role = 0; role < kBindings.size(); ++role)
+        if (const int texture = set[role]; texture >= 0)
+            bindings.set(kBindings[role], textures.image(texture), textures.sampler(texture));
+}
+
 void drawBatch(gpu::Commands& commands, const gpu::Pipeline& pipeline, const Batch& batch, SurfaceOutput output,
                const FrameInputs& frame)
 {
     gpu::Bindings bindings = frame.bindings;
-    constexpr std::array kTextureBindings = {shared::kBindBaseColor, shared::kBindMetallicRoughness,
-                                             shared::kBindNormal, shared::kBindOcclusion, shared::kBindEmissive};
-    for (std::size_t slot = 0; slot < kTextureBindings.size(); ++slot)
-        if (const int texture = batch.textures[slot]; texture >= 0)
-            bindings.set(kTextureBindings[slot], frame.scene.textures.image(texture, contentOf(slot)),
-                         frame.scene.textures.sampler(texture));
-
+    bindTextures(bindings, batch.textures, frame.scene.textures);
     commands.buffer.bindPipeline(vk::PipelineBindPoint::eGraphics, *pipeline.handle);
     commands.buffer.bindIndexBuffer(*frame.scene.meshes.indices.handle, 0, vk::IndexType::eUint32);
-    int bound = -1; // the material whose block is bound
+    int bound = -1; // the block of a material
     for (const Draw& draw : batch.draws) {
-        const int material = frame.scene.plan.instances[static_cast<std::size_t>(draw.firstInstance)].material;
-        if (material != bound || isShape(batch.key.surface)) {
-            frame.scene.materials.bind(bindings, static_cast<std::size_t>(material));
+        if (draw.block != bound || isShape(batch.key.surface)) {
+            frame.scene.materials.bind(bindings, static_cast<std::size_t>(draw.block));
             if (isShape(batch.key.surface))
                 frame.shapeInstances.bind(bindings, static_cast<std::size_t>(draw.firstInstance));
             bindings.push(commands.buffer, pipeline);
-            bound = material;
+            bound = draw.block;
         }
         drawSides(commands, batch, output, draw, frame);
     }

@@ -17,10 +17,14 @@ enum class SurfaceOutput
     depth,        // none, and only of surfaces that hasDepthPass
     colorAtDepth, // as color, where SurfaceOutput::depth has drawn
     layers,       // kLayerTargets targets: shaders/passes/surface_layers.frag
+    attributes,   // one or two: shaders/material/attributes.glsl
     gbuffer,      // kGBufferTargets targets: shaders/passes/gbuffer.frag
 };
 inline constexpr std::size_t kLayerTargets = 6;
 inline constexpr std::size_t kGBufferTargets = 4;
+
+/// Binds the textures of a set, by role.
+void bindTextures(gpu::Bindings& bindings, const TextureSet& set, const Textures& textures);
 
 /// Specialization constants, from 0 on, of every shader that includes material/shade.glsl: the numbers of lights, of
 /// samples.
@@ -36,7 +40,7 @@ class SurfacePipelines
 public:
     SurfacePipelines(const gpu::Device& d, gpu::ShaderLibrary& s) : device(d), shaders(s) {}
 
-    const gpu::Pipeline& get(const ShadingPlan& plan, const ShaderKey& key, SurfaceOutput output);
+    const gpu::Pipeline& get(const ShadingPlan& plan, const Batch& batch, SurfaceOutput output);
     std::size_t count() const { return pipelines.size(); }
 
 private:

@@ -43,6 +43,16 @@ gpu::DeviceImage makeDepthTarget(const gpu::Device& device, int width, int heigh
                           vk::ImageUsageFlagBits::eDepthStencilAttachment, "depth");
 }
 
+gpu::DeviceImage makeDepthStencilTarget(const gpu::Device& device, int width, int height)
+{
+    using Usage = vk::ImageUsageFlagBits;
+    return gpu::makeImage(device,
+                          {.width = static_cast<std::uint32_t>(width),
+                           .height = static_cast<std::uint32_t>(height),
+                           .format = kDepthStencilFormat},
+                          Usage::eDepthStencilAttachment | Usage::eSampled, "depth and classes");
+}
+
 void beginRendering(gpu::Commands& commands, std::span<const gpu::DeviceImage* const> colors,
                     const gpu::DeviceImage* depth, const ClearColor& clearColor, LoadTarget loadDepth)
 {
@@ -55,18 +65,24 @@ void beginRendering(gpu::Commands& commands, std::span<const gpu::DeviceImage* c
     }
     vk::RenderingAttachmentInfo depthAttachment;
     if (depth) {
-        uses.push_back(gpu::use(*depth, gpu::Access::depthAttachment, loadDepth == LoadTarget::clear));
-        depthAttachment = attachment(*depth, vk::ImageLayout::eDepthStencilAttachmentOptimal,
-                                     loadDepth == LoadTarget::clear, {}); // 0: infinitely far
+        const bool reads = loadDepth == LoadTarget::readOnly;
+        uses.push_back(gpu::use(*depth, reads ? gpu::Access::depthTest : gpu::Access::depthAttachment,
+                                loadDepth == LoadTarget::clear));
+        depthAttachment = attachment(*depth,
+                                     reads ? vk::ImageLayout::eDepthStencilReadOnlyOptimal
+                                           : vk::ImageLayout::eDepthStencilAttachmentOptimal,
+                                     loadDepth == LoadTarget::clear, {}); // 0: infinitely far, no class
     }
     commands.use(uses);
     const gpu::ImageShape& shape = (colors.empty() ? depth : colors.front())->shape;
     const vk::Rect2D area = {{0, 0}, {shape.width, shape.height}};
-    commands.buffer.beginRendering({.renderArea = area,
-                                    .layerCount = 1,
-                                    .colorAttachmentCount = static_cast<std::uint32_t>(attachments.size()),
-                                    .pColorAttachments = attachments.data(),
-                                    .pDepthAttachment = depth ? &depthAttachment : nullptr});
+    commands.buffer.beginRendering(
+        {.renderArea = area,
+         .layerCount = 1,
+         .colorAttachmentCount = static_cast<std::uint32_t>(attachments.size()),
+         .pColorAttachments = attachments.data(),
+         .pDepthAttachment = depth ? &depthAttachment : nullptr,
+         .pStencilAttachment = depth && gpu::hasStencil(depth->shape.format) ? &depthAttachment : nullptr});
     commands.buffer.setViewport(
         0, vk::Viewport{0.0f, 0.0f, static_cast<float>(shape.width), static_cast<float>(shape.height), 0.0f, 1.0f});
     commands.buffer.setScissor(0, area);

@@ -12,16 +12,22 @@
 
 namespace torrance {
 
-inline constexpr vk::Format kColorFormat = vk::Format::eR32G32B32A32Sfloat; // scene-linear float from first to last
-inline constexpr vk::Format kDepthFormat = vk::Format::eD32Sfloat;          // reversed: 1 near, 0 far and empty
+inline constexpr vk::Format kColorFormat = vk::Format::eR32G32B32A32Sfloat;     // scene-linear float from first to last
+inline constexpr vk::Format kAttributeFormat = vk::Format::eR32G32B32A32Uint;   // floats and flags as bits
+inline constexpr vk::Format kDepthFormat = vk::Format::eD32Sfloat;              // reversed: 1 near, 0 far and empty
+inline constexpr vk::Format kDepthStencilFormat = vk::Format::eD32SfloatS8Uint; // the same with numbers beside it
 
 gpu::DeviceImage makeColorTarget(const gpu::Device& device, int width, int height, const char* name);
 gpu::DeviceImage makeDepthTarget(const gpu::Device& device, int width, int height);
 
+/// One of kDepthStencilFormat, whose depth shaders may read.
+gpu::DeviceImage makeDepthStencilTarget(const gpu::Device& device, int width, int height);
+
 enum class LoadTarget
 {
-    clear, // to 0
-    keep,
+    clear,    // to 0
+    keep,     // go on with what is there
+    readOnly, // keep it: it is tested, and shaders may read it
 };
 
 /// What colours are cleared to before drawing; nothing: they are kept.

@@ -1,16 +1,17 @@
 #include "passes/texture_upload.h"
 
+#include "core/parallel.h"
 #include "gpu/buffer.h"
 #include "gpu/commands.h"
 #include "image/srgb.h"
 #include "math/half.h"
 #include "passes/sampler.h"
 
+#include <algorithm>
 #include <array>
 #include <bit>
 #include <cmath>
 #include <cstring>
-#include <set>
 
 namespace torrance {
 namespace {
@@ -117,70 +118,97 @@ gpu::DeviceImage upload(const gpu::Device& device, const TextureImage& source, c
     return image;
 }
 
-} // namespace
-
-TexelContent contentOf(std::size_t slot)
+bool isWhole(const PlannedTexture& texture)
 {
-    constexpr std::array kContents = {TexelContent::color, TexelContent::data, TexelContent::normal, TexelContent::data,
-                                      TexelContent::color};
-    return kContents[slot];
+    for (std::size_t c = 0; c < texture.channels.size(); ++c) {
+        const ChannelSource& source = texture.channels[c];
+        if (source.image >= 0 && (source.image != texture.channels.front().image || source.channel != int(c)))
+            return false;
+    }
+    return texture.channels.front().image >= 0;
 }
+
+const TextureImage& anyImage(const Scene& scene, const PlannedTexture& texture)
+{
+    const auto source = std::ranges::find_if(texture.channels, [](const ChannelSource& c) { return c.image >= 0; });
+    return scene.images[static_cast<std::size_t>(source->image)];
+}
+
+// The code of a texel's channel, widened to 16 bits where the texture has 16: k * 257 is the same fraction.
+std::uint16_t codeOf(const TextureImage& image, std::size_t texel, int channel, bool wide)
+{
+    const std::byte* at = image.texels.data() + texel * bytesPerTexel(image.format);
+    if (image.format == TexelFormat::rgba8)
+        return static_cast<std::uint16_t>(std::to_integer<unsigned>(at[channel]) * (wide ? 257u : 1u));
+    std::uint16_t code;
+    std::memcpy(&code, at + 2 * channel, sizeof code);
+    return code;
+}
+
+// Channels of several images of one size as one. What nothing reads is 1.
+TextureImage packed(const Scene& scene, const PlannedTexture& texture)
+{
+    const TextureImage& first = anyImage(scene, texture);
+    const bool wide = std::ranges::any_of(texture.channels, [&](const ChannelSource& c) {
+        return c.image >= 0 && scene.images[static_cast<std::size_t>(c.image)].format == TexelFormat::rgba16;
+    });
+    TextureImage result{first.name, first.width, first.height, wide ? TexelFormat::rgba16 : TexelFormat::rgba8, {}};
+    const std::size_t bytes = bytesPerTexel(result.format),
+                      count = static_cast<std::size_t>(first.width) * static_cast<std::size_t>(first.height);
+    result.texels.resize(count * bytes, std::byte(0xff));
+    constexpr std::size_t kTexelsPerTask = 1 << 16;
+    parallelFor(count, kTexelsPerTask, [&](std::size_t i) {
+        for (std::size_t c = 0; c < texture.channels.size(); ++c) {
+            const ChannelSource& source = texture.channels[c];
+            if (source.image < 0)
+                continue;
+            const std::uint16_t code =
+                codeOf(scene.images[static_cast<std::size_t>(source.image)], i, source.channel, wide);
+            std::memcpy(result.texels.data() + i * bytes + c * bytes / 4, &code, bytes / 4); // little-endian
+        }
+    });
+    return result;
+}
+
+} // namespace
 
 Textures::Textures(const gpu::Device& device, const Scene& scene, const ShadingPlan& plan)
 {
     // N samples a pixel: each stands for 1/N of its area, so the level may be finer by half a step per doubling.
     const float lodBias = -0.5f * std::log2(static_cast<float>(plan.settings.samples));
-    struct Need
-    {
-        bool mips = false;
-        bool alphaMatters = false;
-    };
-    std::map<std::pair<int, TexelContent>, Need> needs;
-    for (const Texture& texture : scene.textures) {
-        imageOf.push_back(texture.image);
-        samplers.emplace_back(nullptr);
-    }
-    for (const auto* list : {&plan.batches, &plan.blended})
-        for (const Batch& batch : *list)
-            for (std::size_t slot = 0; slot < batch.textures.size(); ++slot) {
-                if (batch.textures[slot] < 0)
-                    continue;
-                const auto index = static_cast<std::size_t>(batch.textures[slot]);
-                const Texture& texture = scene.textures[index];
-                Need& need = needs[{texture.image, contentOf(slot)}];
-                need.mips |= texture.sampler.mip != MipFilter::none;
-                need.alphaMatters |= slot == 0 && batch.key.alphaMode != AlphaMode::opaque;
-                if (!*samplers[index])
-                    samplers[index] = makeSampler(device, texture.sampler, lodBias);
-            }
-    const bool lengths = plan.settings.methods.specularAntialiasing->id == "toksvig";
-    for (const auto& [use, need] : needs) {
-        const TextureImage& source = scene.images[static_cast<std::size_t>(use.first)];
-        if (lengths && use.second == TexelContent::normal)
-            images.emplace(use, upload(device, source,
-                                       makeTexels(wideNormals(source), {.content = use.second, .lengthInAlpha = true},
-                                                  need.mips)));
+    for (const PlannedTexture& texture : plan.textures) {
+        const bool mips = texture.sampler.mip != MipFilter::none;
+        const MipRule rule = {
+            .content = texture.content, .weighByAlpha = texture.weighByAlpha, .lengthInAlpha = texture.lengthInAlpha};
+        const auto make = [&](const TextureImage& source) {
+            images.push_back(upload(device, source, makeTexels(source, rule, mips)));
+        };
+        if (texture.lengthInAlpha)
+            make(wideNormals(anyImage(scene, texture)));
+        else if (isWhole(texture))
+            make(anyImage(scene, texture));
         else
-            images.emplace(
-                use, upload(device, source,
-                            makeTexels(source, {.content = use.second, .weighByAlpha = need.alphaMatters}, need.mips)));
+            make(packed(scene, texture));
+        if (!samplers.contains(texture.sampler))
+            samplers.emplace(texture.sampler, makeSampler(device, texture.sampler, lodBias));
+        samplerOf.push_back(texture.sampler);
     }
 }
 
-const gpu::DeviceImage& Textures::image(int texture, TexelContent content) const
+const gpu::DeviceImage& Textures::image(int texture) const
 {
-    return images.at({imageOf[static_cast<std::size_t>(texture)], content});
+    return images[static_cast<std::size_t>(texture)];
 }
 
 const vk::raii::Sampler& Textures::sampler(int texture) const
 {
-    return samplers[static_cast<std::size_t>(texture)];
+    return samplers.at(samplerOf[static_cast<std::size_t>(texture)]);
 }
 
 std::vector<gpu::ImageUse> Textures::uses() const
 {
     std::vector<gpu::ImageUse> list;
-    for (const auto& [use, image] : images)
+    for (const gpu::DeviceImage& image : images)
         list.push_back(gpu::use(image, gpu::Access::sampled));
     return list;
 }

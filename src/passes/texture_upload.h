@@ -1,4 +1,4 @@
-// A plan's textures on the device, each once per use of its values.
+// A plan's textures on the device.
 #pragma once
 
 #include "gpu/image.h"
@@ -10,24 +10,22 @@
 
 namespace torrance {
 
-/// What the members of a TextureSet hold: it decides their format and how their mips are made.
-TexelContent contentOf(std::size_t slot);
-
 class Textures
 {
 public:
-    /// Uploads the textures of all batches. `samples` per pixel sharpen the choice of mips: a sample stands for 1/N of
-    /// a pixel.
+    /// Uploads ShadingPlan::textures. Several samples per pixel sharpen the choice of mips: one stands for 1/N of a
+    /// pixel.
     Textures(const gpu::Device& device, const Scene& scene, const ShadingPlan& plan);
 
-    const gpu::DeviceImage& image(int texture, TexelContent content) const;
+    // By ShadingPlan::textures.
+    const gpu::DeviceImage& image(int texture) const;
     const vk::raii::Sampler& sampler(int texture) const;
     std::vector<gpu::ImageUse> uses() const; // as sampled
 
 private:
-    std::map<std::pair<int, TexelContent>, gpu::DeviceImage> images; // by Scene::images
-    std::vector<vk::raii::Sampler> samplers;                         // by Scene::textures; null where unused
-    std::vector<int> imageOf;                                        // by Scene::textures
+    std::vector<gpu::DeviceImage> images;
+    std::map<Sampler, vk::raii::Sampler> samplers;
+    std::vector<Sampler> samplerOf;
 };
 
 } // namespace torrance

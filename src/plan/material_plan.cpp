@@ -67,8 +67,20 @@ void reduceBaseColor(Material& m, MaterialRange& range, Reducer& reducer)
     }
 }
 
-void reduceMetallicRoughness(Material& m, MaterialRange& range, Reducer& reducer)
+// A scalar that does not vary becomes the factor.
+bool reduceScalar(double& factor, const TexelFacts& facts, int channel, Reducer& reducer, const char* choice)
 {
+    if (factor != 0.0 && !facts.constant(channel))
+        return true;
+    factor *= facts.least[static_cast<std::size_t>(channel)];
+    reducer.note(choice, "all its texels are alike: they became the factor");
+    return false;
+}
+
+void reduceMetallicRoughness(PlannedMaterial& planned, Reducer& reducer)
+{
+    Material& m = planned.material;
+    MaterialRange& range = planned.range;
     const auto facts = reducer.of(m.metallicRoughness);
     constexpr std::size_t kRoughness = 1, kMetallic = 2;
     const double leastG = facts ? facts->least[kRoughness] : 1, greatestG = facts ? facts->greatest[kRoughness] : 1;
@@ -78,13 +90,10 @@ void reduceMetallicRoughness(Material& m, MaterialRange& range, Reducer& reducer
     range.greatestMetallic = m.metallicFactor * greatestB;
     if (!facts)
         return;
-    const bool roughnessConstant = facts->constant(kRoughness) || m.roughnessFactor == 0.0;
-    const bool metallicConstant = facts->constant(kMetallic) || m.metallicFactor == 0.0;
-    if (!roughnessConstant || !metallicConstant)
-        return;
-    m.roughnessFactor *= facts->least[kRoughness];
-    m.metallicFactor *= facts->least[kMetallic];
-    reducer.drop(m.metallicRoughness, "metallic-roughness texture", "its values are constant: they became the factors");
+    planned.roughnessVaries = reduceScalar(m.roughnessFactor, *facts, kRoughness, reducer, "no roughness texture");
+    planned.metallicVaries = reduceScalar(m.metallicFactor, *facts, kMetallic, reducer, "no metallic texture");
+    if (!planned.roughnessVaries && !planned.metallicVaries)
+        m.metallicRoughness = {};
 }
 
 // The encoding of a flat normal: 8-bit zero is written as 127 or 128, 16-bit zero as 32767 or 32768.
@@ -163,7 +172,7 @@ PlannedMaterial planMaterial(const Scene& scene, const Material& material, std::
         reduceUnlit(m, reducer);
         return planned;
     }
-    reduceMetallicRoughness(m, planned.range, reducer);
+    reduceMetallicRoughness(planned, reducer);
     planned.range.dielectricF0 = reflectanceOfIor(m.ior);
     reduceNormal(m, reducer);
     reduceOcclusion(m, reducer);

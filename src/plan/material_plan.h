@@ -22,7 +22,8 @@ struct PlannedMaterial
 {
     Material material; // draws the same picture as the scene's
     MaterialRange range;
-    bool compensates = false; // multiple scattering is computed
+    bool compensates = false;                             // multiple scattering is computed
+    bool roughnessVaries = false, metallicVaries = false; // over metallicRoughness; else they are in the factors
 };
 
 /// `facts` is per Scene::images. A name is given to nameless materials ("material 3").

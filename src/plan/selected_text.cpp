@@ -3,6 +3,7 @@
 #include "brdf/dfg.h"
 #include "brdf/environment.h"
 #include "brdf/selection.h"
+#include "plan/attribute_plan.h"
 
 namespace torrance {
 namespace {
@@ -23,6 +24,39 @@ void defineUv(std::string& text, const TextureKey& key, const std::string& macro
     text += "#define " + macro + " " + (key.transformed ? transformed : uv) + "\n";
     if (key.transformed)
         text += "#define " + macro + "_SOURCE " + uv + "\n";
+}
+
+void defineUvs(std::string& text, const ShaderKey& key)
+{
+    defineUv(text, key.baseColor, "BASE_COLOR_UV", "inBaseColorUv");
+    defineUv(text, key.material, "MATERIAL_UV", "inMaterialUv");
+    defineUv(text, key.normal, "NORMAL_UV", "inNormalUv");
+    defineUv(text, key.occlusion, "OCCLUSION_UV", "inOcclusionUv");
+    defineUv(text, key.emissive, "EMISSIVE_UV", "inEmissiveUv");
+}
+
+// Which texel's channel a scalar is, as a member of Texels (shaders/material/texels.glsl).
+void definePlace(std::string& text, ScalarPlace place, const char* macro, const char* inMaterial)
+{
+    const auto member = [&]() -> const char* {
+        switch (place) {
+        case ScalarPlace::material:
+            return inMaterial;
+        case ScalarPlace::own:
+            return "occlusion.r";
+        case ScalarPlace::baseColorAlpha:
+            return "baseColor.a";
+        case ScalarPlace::normalAlpha:
+            return "normal.a";
+        case ScalarPlace::emissiveAlpha:
+            return "emissive.a";
+        case ScalarPlace::constant:
+            break;
+        }
+        return nullptr;
+    };
+    if (const char* name = member())
+        text.append("#define ").append(macro).append(" ").append(name).append("\n");
 }
 
 // Which functions of shaders/environment are called.
@@ -117,11 +151,10 @@ std::string selectedText(const ShadingPlan& plan, const ShaderKey& key)
         text += "#include \"" + brdf::glslPath(*dfg) + "\"\n#define DFG_FIT " + brdf::functionName(*dfg) + "\n";
     define(text, "READS_LIGHT_ALBEDO",
            lightsReadAlbedo && key.compensates && plan.settings.methods.multipleScattering->readsLightAlbedo);
-    defineUv(text, key.baseColor, "BASE_COLOR_UV", "inBaseColorUv");
-    defineUv(text, key.metallicRoughness, "METALLIC_ROUGHNESS_UV", "inMetallicRoughnessUv");
-    defineUv(text, key.normal, "NORMAL_UV", "inNormalUv");
-    defineUv(text, key.occlusion, "OCCLUSION_UV", "inOcclusionUv");
-    defineUv(text, key.emissive, "EMISSIVE_UV", "inEmissiveUv");
+    defineUvs(text, key);
+    definePlace(text, key.roughness, "ROUGHNESS_TEXEL", "material.g");
+    definePlace(text, key.metallic, "METALLIC_TEXEL", "material.b");
+    definePlace(text, key.ambient, "OCCLUSION_TEXEL", "material.r");
     if (lit) {
         brdf::Preset methods = plan.settings.methods;
         if (brdf::isComposed(methods) && !key.compensates)
@@ -130,6 +163,50 @@ std::string selectedText(const ShadingPlan& plan, const ShaderKey& key)
         if (plan.environmentLight && !brdf::isComposed(methods))
             text += modelEnvironment(*methods.model);
     }
+    return text;
+}
+
+namespace {
+
+// Where the vertex shader's one pair of texture coordinates is.
+std::string attributeUv(const ShaderKey& key)
+{
+    for (const auto& [texture, name] : {std::pair(&key.baseColor, "BASE_COLOR_UV"),
+                                        {&key.material, "MATERIAL_UV"},
+                                        {&key.normal, "NORMAL_UV"},
+                                        {&key.occlusion, "OCCLUSION_UV"},
+                                        {&key.emissive, "EMISSIVE_UV"}})
+        if (texture->used)
+            return name;
+    return "";
+}
+
+} // namespace
+
+std::string attributesText(const ShadingPlan& plan, const Batch& batch)
+{
+    const ShaderKey& key = batch.key;
+    std::string text = "// attributes of " + key.name() + "\n";
+    define(text, surfaceMacro(key.surface), true);
+    define(text, "NORMALS", key.normals);
+    define(text, "TANGENTS", key.tangents());
+    define(text, "UV0", key.usesUv(0));
+    define(text, "UV1", key.usesUv(1));
+    define(text, "ALPHA_MASK", key.alphaMode == AlphaMode::mask);
+    define(text, "DOUBLE_SIDED", key.doubleSided);
+    defineUvs(text, key);
+    define(text, "ATTRIBUTES_HAVE_UV", attributesHaveUv(plan));
+    if (const std::string uv = attributeUv(key); !uv.empty())
+        text += "#define ATTRIBUTE_UV " + uv + "\n";
+    return text;
+}
+
+std::string resolveText(const ShadingPlan& plan, const ShadingClass& shadingClass)
+{
+    std::string text = selectedText(plan, shadingClass.key);
+    define(text, "ATTRIBUTE_UV", shadingClass.key.usesUv(0));
+    define(text, "MATERIAL_LIST", shadingClass.blocks.size() > 1);
+    define(text, "POSITION", !shadingClass.key.unlit && plan.lightCounts[1] + plan.lightCounts[2] > 0);
     return text;
 }
 

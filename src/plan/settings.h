@@ -17,9 +17,10 @@ enum class BackgroundKind
 /// How opaque and masked surfaces come to their light.
 enum class RenderPath
 {
-    forward,  // each surface is shaded as it is drawn
-    prepass,  // depth first, then only what is seen is shaded: the picture of `forward`, to the bit
-    deferred, // parameters first, into a G-buffer of floats; light afterwards, once a pixel
+    forward,    // each surface is shaded as it is drawn
+    prepass,    // depth first, then only what is seen is shaded: the picture of `forward`, to the bit
+    attributes, // what is interpolated first, as bits; then each pixel is shaded once
+    deferred,   // parameters first, into a G-buffer of floats; light afterwards, once a pixel
 };
 
 struct Settings

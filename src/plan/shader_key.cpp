@@ -20,11 +20,29 @@ const char* surfaceName(SurfaceKind kind)
     return "";
 }
 
+const char* placeName(ScalarPlace place)
+{
+    switch (place) {
+    case ScalarPlace::material:
+        return "material";
+    case ScalarPlace::baseColorAlpha:
+        return "baseColor";
+    case ScalarPlace::normalAlpha:
+        return "normal";
+    case ScalarPlace::emissiveAlpha:
+        return "emissive";
+    case ScalarPlace::constant:
+    case ScalarPlace::own:
+        break;
+    }
+    return "";
+}
+
 } // namespace
 
 bool ShaderKey::usesUv(int set) const
 {
-    for (const TextureKey* texture : {&baseColor, &metallicRoughness, &normal, &occlusion, &emissive})
+    for (const TextureKey* texture : {&baseColor, &material, &normal, &occlusion, &emissive})
         if (texture->used && texture->uvSet == set)
             return true;
     return false;
@@ -41,13 +59,20 @@ std::string ShaderKey::name() const
         if (set)
             text.append(" ").append(label);
     };
+    const auto place = [&](ScalarPlace p, const char* label) {
+        if (p != ScalarPlace::constant && p != ScalarPlace::own) // those have a texture's own name, or none
+            text.append(" ").append(label).append("@").append(placeName(p));
+    };
     flag(!normals, "no-normals");
     flag(colors, "colors");
     texture(baseColor, "baseColor");
-    texture(metallicRoughness, "metallicRoughness");
+    texture(material, "material");
     texture(normal, "normal");
     texture(occlusion, "occlusion");
     texture(emissive, "emissive");
+    place(roughness, "roughness");
+    place(metallic, "metallic");
+    place(ambient, "occlusion");
     flag(alphaMode == AlphaMode::mask, "mask");
     flag(alphaMode == AlphaMode::blend, "blend");
     flag(doubleSided, "double-sided");

@@ -28,12 +28,25 @@ struct TextureKey
     auto operator<=>(const TextureKey&) const = default;
 };
 
+/// Where a scalar of the material is read from.
+enum class ScalarPlace
+{
+    constant, // the factor alone
+    material, // its channel of the texture of scalars
+    own,      // a texture of its own
+    baseColorAlpha,
+    normalAlpha,
+    emissiveAlpha,
+};
+
 struct ShaderKey
 {
     SurfaceKind surface = SurfaceKind::triangles;
     bool normals = true; // points and lines may have none: they are then drawn unlit, as glTF asks
     bool colors = false;
-    TextureKey baseColor = {}, metallicRoughness = {}, normal = {}, occlusion = {}, emissive = {};
+    TextureKey baseColor = {}, material = {}, normal = {}, occlusion = {}, emissive = {}; // TextureRole
+    ScalarPlace roughness = ScalarPlace::constant, metallic = ScalarPlace::constant,
+                ambient = ScalarPlace::constant; // ambient: occlusion
     AlphaMode alphaMode = AlphaMode::opaque;
     bool doubleSided = false;
     bool unlit = false;

@@ -2,6 +2,7 @@
 
 #include "brdf/environment.h"
 #include "core/error.h"
+#include "plan/attribute_plan.h"
 #include "plan/compensation.h"
 #include "plan/deferred_plan.h"
 #include "plan/light_plan.h"
@@ -60,6 +61,8 @@ public:
         planLighting();
         if (plan.settings.path == RenderPath::deferred)
             planDeferred(plan);
+        if (plan.settings.path == RenderPath::attributes)
+            planAttributes(scene, plan);
         return std::move(plan);
     }
 
@@ -70,18 +73,22 @@ private:
     void planAreaLights();
     void addPrimitives();
     void addShapes();
-    void add(const ShaderKey& key, const TextureSet& textures, const Draw& draw);
+    void add(const ShaderKey& key, const TextureSet& textures, Draw draw);
+    int blockIndex(int material, const TextureSet& textures);
 
     std::size_t materialIndex(int material) const
     {
         return material < 0 ? scene.materials.size() : static_cast<std::size_t>(material);
     }
-    ShaderKey keyOf(const PlannedMaterial& planned, const Primitive& primitive);
+    std::pair<ShaderKey, TextureSet> keyOf(const PlannedMaterial& planned, const Primitive& primitive);
+    int textureIndex(const PlannedTexture& texture);
     TextureKey textureKey(const TextureUse& use, const Primitive& primitive, const char* what);
 
     const Scene& scene;
     ShadingPlan plan;
     Box bounds;
+    std::map<PlannedTexture, int> textures;                    // ShadingPlan::textures
+    std::map<std::pair<int, TextureSet>, int> blocks;          // ShadingPlan::blocks by material and textures
     std::map<std::pair<ShaderKey, TextureSet>, Batch> batches; // ordered: the same scene gives the same batches
 };
 
@@ -121,29 +128,54 @@ TextureKey Planner::textureKey(const TextureUse& use, const Primitive& primitive
     return {.used = true, .uvSet = use.uvSet, .transformed = use.transform != glm::dmat3x2(1, 0, 0, 1, 0, 0)};
 }
 
-ShaderKey Planner::keyOf(const PlannedMaterial& planned, const Primitive& primitive)
+std::pair<ShaderKey, TextureSet> Planner::keyOf(const PlannedMaterial& planned, const Primitive& primitive)
 {
     const Material& m = planned.material;
     ShaderKey key = {.surface = surfaceOf(primitive.topology),
                      .normals = !primitive.normals.empty(),
                      .colors = !primitive.colors.empty()};
-    key.baseColor = textureKey(m.baseColor, primitive, "base colour");
     key.alphaMode = m.alphaMode;
     key.doubleSided = m.doubleSided && key.surface == SurfaceKind::triangles;
     key.unlit = m.unlit;
-    key.emissive = textureKey(m.emissive, primitive, "emissive");
-    if (key.unlit || !key.normals)
-        return key;
-    key.metallicRoughness = textureKey(m.metallicRoughness, primitive, "metallic-roughness");
-    if (key.surface == SurfaceKind::triangles)
-        key.normal = textureKey(m.normal, primitive, "normal");
-    key.occlusion = textureKey(m.occlusion, primitive, "occlusion");
-    key.compensates = planned.compensates;
-    return key;
+    TextureNeeds needs;
+    needs.baseColor = textureKey(m.baseColor, primitive, "base colour");
+    needs.emissive = textureKey(m.emissive, primitive, "emissive");
+    if (!key.unlit && key.normals) {
+        needs.metallicRoughness = textureKey(m.metallicRoughness, primitive, "metallic-roughness");
+        needs.roughness = needs.metallicRoughness.used && planned.roughnessVaries;
+        needs.metallic = needs.metallicRoughness.used && planned.metallicVaries;
+        if (key.surface == SurfaceKind::triangles)
+            needs.normal = textureKey(m.normal, primitive, "normal");
+        needs.occlusion = textureKey(m.occlusion, primitive, "occlusion");
+        needs.lengthInAlpha = plan.settings.methods.specularAntialiasing->id == "toksvig";
+        key.compensates = planned.compensates;
+    }
+    const RoleTextures textures = planTextures(scene, m, needs, key);
+    TextureSet set;
+    std::ranges::transform(textures, set.begin(), [&](const auto& t) { return t ? textureIndex(*t) : -1; });
+    return {key, set};
 }
 
-void Planner::add(const ShaderKey& key, const TextureSet& textures, const Draw& draw)
+// The same texture is uploaded once.
+int Planner::textureIndex(const PlannedTexture& texture)
 {
+    const auto [found, isNew] = textures.try_emplace(texture, static_cast<int>(plan.textures.size()));
+    if (isNew)
+        plan.textures.push_back(texture);
+    return found->second;
+}
+
+int Planner::blockIndex(int material, const TextureSet& textures)
+{
+    const auto [found, isNew] = blocks.try_emplace({material, textures}, static_cast<int>(plan.blocks.size()));
+    if (isNew)
+        plan.blocks.push_back({.material = material, .slot = 0, .textures = textures});
+    return found->second;
+}
+
+void Planner::add(const ShaderKey& key, const TextureSet& textures, Draw draw)
+{
+    draw.block = blockIndex(plan.instances[static_cast<std::size_t>(draw.firstInstance)].material, textures);
     if (key.alphaMode == AlphaMode::blend) {
         for (int i = 0; i < draw.instanceCount; ++i) {
             Draw one = draw;
@@ -155,13 +187,6 @@ void Planner::add(const ShaderKey& key, const TextureSet& textures, const Draw& 
     }
     Batch& batch = batches.try_emplace({key, textures}, Batch{key, textures, {}}).first->second;
     batch.draws.push_back(draw);
-}
-
-TextureSet textureSet(const Material& m, const ShaderKey& key)
-{
-    const auto pick = [](const TextureKey& k, const TextureUse& use) { return k.used ? use.texture : -1; };
-    return {pick(key.baseColor, m.baseColor), pick(key.metallicRoughness, m.metallicRoughness),
-            pick(key.normal, m.normal), pick(key.occlusion, m.occlusion), pick(key.emissive, m.emissive)};
 }
 
 void Planner::addPrimitives()
@@ -196,8 +221,8 @@ void Planner::addPrimitives()
                                       0.5 * (box.least + box.greatest)});
             ++draw.instanceCount;
         }
-        const ShaderKey key = keyOf(plan.materials[material], primitive);
-        add(key, textureSet(plan.materials[material].material, key), draw);
+        const auto [key, textures] = keyOf(plan.materials[material], primitive);
+        add(key, textures, draw);
     }
 }
 

@@ -6,6 +6,7 @@
 #include "plan/remark.h"
 #include "plan/settings.h"
 #include "plan/shader_key.h"
+#include "plan/texture_plan.h"
 #include "scene/scene.h"
 
 #include <array>
@@ -13,6 +14,9 @@
 #include <vector>
 
 namespace torrance {
+
+/// ShadingPlan::textures by TextureRole; -1 = none.
+using TextureSet = std::array<int, kTextureRoles>;
 
 /// Neighbouring instances of one primitive, or one analytic shape.
 struct Draw
@@ -22,10 +26,24 @@ struct Draw
     int firstInstance = 0; // ShadingPlan::instances
     int instanceCount = 1;
     bool mirrored = false; // the transforms turn the winding round
+    int block = 0;         // ShadingPlan::blocks
 };
 
-/// Scene::textures of base colour, metallic-roughness, normal, occlusion, emissive; -1 = none.
-using TextureSet = std::array<int, 5>;
+/// A material as the shaders of some draws read it.
+struct MaterialBlock
+{
+    int material = 0; // ShadingPlan::materials
+    int slot = 0;     // of the attributes path: its number in its class
+    TextureSet textures = {-1, -1, -1, -1, -1};
+};
+
+/// Surfaces that the attributes path shades in one go: one shader, one set of textures.
+struct ShadingClass
+{
+    ShaderKey key; // of what is left of the surfaces' keys: attribute_plan.h
+    TextureSet textures = {-1, -1, -1, -1, -1};
+    std::vector<int> blocks; // ShadingPlan::blocks by slot
+};
 
 /// Draws of one shader and one set of textures.
 struct Batch
@@ -33,6 +51,7 @@ struct Batch
     ShaderKey key;
     TextureSet textures = {-1, -1, -1, -1, -1};
     std::vector<Draw> draws;
+    int shadingClass = -1; // ShadingPlan::classes; -1: its surfaces are shaded as they are drawn
 };
 
 /// An instance in the order in which the device sees it.
@@ -48,6 +67,8 @@ struct ShadingPlan
 {
     Settings settings;
     std::vector<PlannedMaterial> materials; // Scene::materials, and glTF's default material last
+    std::vector<PlannedTexture> textures;
+    std::vector<MaterialBlock> blocks;
     std::vector<PlannedInstance> instances;
     std::vector<Batch> batches; // opaque and masked
     std::vector<Batch> blended; // one draw of one instance each
@@ -57,6 +78,7 @@ struct ShadingPlan
     bool environmentLight = false;          // some surface is lit by the environment
     bool panorama = false;                  // the environment is seen behind the scene
     bool dfgTable = false;                  // some shader reads directional albedos
+    std::vector<ShadingClass> classes;      // of the attributes path
     std::vector<ShaderKey> lightingClasses; // of the deferred path, one lighting pass each: deferred_plan.h
     Remarks remarks;
 };
@@ -72,6 +94,10 @@ bool readsAlbedo(const brdf::Preset& methods, bool compensates);
 
 /// The text of selected.glsl for one key: methods and defines.
 std::string selectedText(const ShadingPlan& plan, const ShaderKey& key);
+
+/// The same for the two shaders of the attributes path: of a batch that leaves attributes, of a class that reads them.
+std::string attributesText(const ShadingPlan& plan, const Batch& batch);
+std::string resolveText(const ShadingPlan& plan, const ShadingClass& shadingClass);
 
 /// The plan for people: methods, what stands, what was left out and why, the pipelines it takes.
 std::string explain(const ShadingPlan& plan);

@@ -7,13 +7,6 @@
 
 namespace torrance {
 
-enum class TexelContent
-{
-    color,  // sRGB-encoded colour, linear alpha: averaged as light, encoded again
-    data,   // linear values: roughness, metallic, occlusion, masks
-    normal, // unit vectors, (c * 2 - 1) of each channel: the average direction, unit again
-};
-
 /// How a texture is read, which decides how it is averaged.
 struct MipRule
 {

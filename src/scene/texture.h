@@ -1,6 +1,7 @@
 // What a material samples: stored texels and how they are addressed and filtered.
 #pragma once
 
+#include <compare>
 #include <cstddef>
 #include <string>
 #include <vector>
@@ -17,6 +18,14 @@ constexpr std::size_t bytesPerTexel(TexelFormat format)
 {
     return format == TexelFormat::rgba8 ? 4 : 8;
 }
+
+/// What texels mean, which decides how they are averaged and filtered.
+enum class TexelContent
+{
+    color,  // sRGB-encoded colour, linear alpha: averaged as light
+    data,   // linear values: roughness, metallic, occlusion, masks
+    normal, // unit vectors, (c * 2 - 1) of each channel: the average direction, unit again
+};
 
 /// Texels as the file holds them (not decoded from sRGB): four channels, top row first. Missing channels are filled as
 /// PNG and JPEG define it: grey to all three colours, alpha to one.
@@ -58,7 +67,7 @@ struct Sampler
     Filter minify = Filter::linear;
     MipFilter mip = MipFilter::linear;
 
-    bool operator==(const Sampler&) const = default;
+    auto operator<=>(const Sampler&) const = default;
 };
 
 struct Texture

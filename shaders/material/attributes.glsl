@@ -1,0 +1,54 @@
+// A pixel's surface as passes/attributes.frag leaves it and passes/resolve.frag reads it:
+//   picture 0: the interpolated normal, three floats, and AttributeBits
+//   picture 1: texture coordinates, two floats, and the direction of the tangent, two floats of its octahedron
+struct AttributeBits
+{
+    uint slot;       // of the material among those of its class: 8 bits
+    bool back;       // the far side of a double-sided surface is seen: the normal is to be turned
+    bool leftHanded; // the tangent's sign
+    float level;     // of detail: 0 = the finest, kept in steps of 1/4096 up to 16
+};
+
+const float kNoDirection = 2.0; // outside of the square
+const float kLevelSteps = 4096.0;
+const float kGreatestLevel = 15.99; // of a texture 64 thousand texels a side
+
+uint packBits(AttributeBits bits)
+{
+    uint level = uint(clamp(bits.level, 0.0, kGreatestLevel) * kLevelSteps + 0.5);
+    return bits.slot | (bits.back ? 1u << 8u : 0u) | (bits.leftHanded ? 1u << 9u : 0u) | level << 16u;
+}
+
+AttributeBits unpackBits(uint word)
+{
+    return AttributeBits(word & 255u, (word & 1u << 8u) != 0u, (word & 1u << 9u) != 0u, float(word >> 16u) / kLevelSteps);
+}
+
+// Vulkan 1.3, 16.5.7: the logarithm of the longer side of a pixel's footprint, in texels of the finest level. No footprint, as of
+// coordinates that do not change: the finest.
+float levelOfDetail(vec2 across, vec2 down)
+{
+    float longest2 = max(dot(across, across), dot(down, down));
+    return longest2 > 0.0 ? 0.5 * log2(longest2) : 0.0;
+}
+
+// A direction as a point of the square: Meyer et al. 2010, On Floating-Point Normal Vectors. In floats the direction keeps its bits. d is
+// of any length; of zero length it becomes what octahedralDirection reads as no direction.
+vec2 octahedral(vec3 d)
+{
+    float size = abs(d.x) + abs(d.y) + abs(d.z);
+    if (!(size > 0.0))
+        return vec2(kNoDirection);
+    vec2 p = d.xy / size;
+    vec2 folded = (1.0 - abs(p.yx)) * vec2(p.x >= 0.0 ? 1.0 : -1.0, p.y >= 0.0 ? 1.0 : -1.0);
+    return d.z >= 0.0 ? p : folded;
+}
+
+vec3 octahedralDirection(vec2 p)
+{
+    if (p.x == kNoDirection)
+        return vec3(0.0);
+    float z = 1.0 - abs(p.x) - abs(p.y);
+    vec2 folded = (1.0 - abs(p.yx)) * vec2(p.x >= 0.0 ? 1.0 : -1.0, p.y >= 0.0 ? 1.0 : -1.0);
+    return vec3(z >= 0.0 ? p : folded, z);
+}

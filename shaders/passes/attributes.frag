@@ -1,0 +1,44 @@
+// What the shading of a pixel needs of its surface, unshaded: interpolated as the forward path has it, as bits of 32-bit floats, for
+// passes/resolve.frag. shaders/material/attributes.glsl says what is where.
+#include "selected.glsl"
+#include "passes/surface_inputs.glsl"
+#include "material/attributes.glsl"
+
+layout(location = 0) out uvec4 outNormal;
+#ifdef ATTRIBUTES_HAVE_UV
+layout(location = 1) out uvec4 outUv;
+#endif
+
+// The interpolated normal, of any length but zero.
+vec3 attributeNormal()
+{
+#ifdef NORMALS
+    if (dot(inNormal, inNormal) > 0.0)
+        return inNormal;
+#endif
+    vec3 view = directionOf(frame.towardsEye - frame.eyeWeight * inPosition);
+    return readGeometricNormal(view) * seenSide(); // turned back when it is read
+}
+
+void main()
+{
+#ifdef ALPHA_MASK
+    if (baseColorOf(readTexels()).a < material.alphaCutoff)
+        discard;
+#endif
+    AttributeBits bits = AttributeBits(material.slot, seenSide() < 0.0, false, 0.0);
+#ifdef ATTRIBUTES_HAVE_UV
+    vec2 uv = vec2(0.0);
+    vec2 tangent = vec2(0.0);
+#ifdef ATTRIBUTE_UV
+    uv = ATTRIBUTE_UV;
+    bits.level = levelOfDetail(dFdx(uv) * material.texels, dFdy(uv) * material.texels);
+#endif
+#ifdef TANGENTS
+    tangent = octahedral(inTangent.xyz);
+    bits.leftHanded = inTangent.w < 0.0;
+#endif
+    outUv = uvec4(floatBitsToUint(uv), floatBitsToUint(tangent));
+#endif
+    outNormal = uvec4(floatBitsToUint(attributeNormal()), packBits(bits));
+}

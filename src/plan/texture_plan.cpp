@@ -1,0 +1,192 @@
+#include "plan/texture_plan.h"
+
+#include <algorithm>
+#include <vector>
+
+namespace torrance {
+namespace {
+
+/// One channel that a shader needs by itself.
+struct Scalar
+{
+    const TextureUse* use;
+    int channel;
+    ScalarPlace* place;
+};
+
+class Packer
+{
+public:
+    Packer(const Scene& s, const Material& m, const TextureNeeds& n, ShaderKey& k)
+        : scene(s), material(m), needs(n), key(k)
+    {
+    }
+
+    RoleTextures run()
+    {
+        addColors();
+        std::vector<Scalar> gloss, ambient; // of metallicRoughness, of occlusion
+        if (needs.metallic)
+            gloss.push_back({&material.metallicRoughness, 2, &key.metallic});
+        if (needs.roughness)
+            gloss.push_back({&material.metallicRoughness, 1, &key.roughness});
+        if (needs.occlusion.used)
+            ambient.push_back({&material.occlusion, 0, &key.ambient});
+        std::vector<Scalar> all = gloss;
+        all.insert(all.end(), ambient.begin(), ambient.end());
+        // From the fewest textures to the most.
+        if (placeInAlphas(all))
+            return textures;
+        if (!gloss.empty() && !ambient.empty() && shareSize(material.metallicRoughness, material.occlusion)) {
+            addMaterial(true);
+            return textures;
+        }
+        const bool ambientPlaced = placeInAlphas(ambient);
+        if (ambientPlaced || !placeInAlphas(gloss))
+            addMaterial(false);
+        if (!ambientPlaced)
+            addOcclusion();
+        return textures;
+    }
+
+private:
+    std::optional<PlannedTexture>& at(TextureRole role) { return textures[static_cast<std::size_t>(role)]; }
+
+    int imageOf(const TextureUse& use) const { return scene.textures[static_cast<std::size_t>(use.texture)].image; }
+    const TextureImage& texels(const TextureUse& use) const
+    {
+        return scene.images[static_cast<std::size_t>(imageOf(use))];
+    }
+    const Sampler& samplerOf(const TextureUse& use) const
+    {
+        return scene.textures[static_cast<std::size_t>(use.texture)].sampler;
+    }
+
+    /// The same texel of both is read at every point.
+    bool shareSize(const TextureUse& a, const TextureUse& b) const
+    {
+        return a.uvSet == b.uvSet && a.transform == b.transform && samplerOf(a) == samplerOf(b) &&
+               texels(a).width == texels(b).width && texels(a).height == texels(b).height;
+    }
+
+    /// The alpha of `whole` can hold the channel to the bit, or to half a float's for colours of 8 bits.
+    bool fits(const TextureUse& scalar, const TextureUse& whole) const
+    {
+        const bool wide = texels(scalar).format == TexelFormat::rgba16;
+        return shareSize(scalar, whole) && (!wide || texels(whole).format == TexelFormat::rgba16);
+    }
+
+    PlannedTexture whole(const TextureUse& use, TexelContent content) const
+    {
+        const int image = imageOf(use);
+        return {.content = content,
+                .channels = {ChannelSource{image, 0}, {image, 1}, {image, 2}, {}},
+                .sampler = samplerOf(use)};
+    }
+
+    void addColors()
+    {
+        if (needs.baseColor.used) {
+            PlannedTexture texture = whole(material.baseColor, TexelContent::color);
+            texture.weighByAlpha = key.alphaMode != AlphaMode::opaque;
+            if (texture.weighByAlpha)
+                texture.channels[3] = {imageOf(material.baseColor), 3};
+            else
+                spares.push_back({TextureRole::baseColor, &material.baseColor, ScalarPlace::baseColorAlpha});
+            at(TextureRole::baseColor) = texture;
+        }
+        if (needs.normal.used) {
+            PlannedTexture texture = whole(material.normal, TexelContent::normal);
+            texture.lengthInAlpha = needs.lengthInAlpha;
+            if (!texture.lengthInAlpha)
+                spares.push_back({TextureRole::normal, &material.normal, ScalarPlace::normalAlpha});
+            at(TextureRole::normal) = texture;
+        }
+        if (needs.emissive.used) {
+            spares.push_back({TextureRole::emissive, &material.emissive, ScalarPlace::emissiveAlpha});
+            at(TextureRole::emissive) = whole(material.emissive, TexelContent::color);
+        }
+        key.baseColor = needs.baseColor;
+        key.normal = needs.normal;
+        key.emissive = needs.emissive;
+    }
+
+    /// All of them, or none.
+    bool placeInAlphas(const std::vector<Scalar>& scalars)
+    {
+        std::vector<Spare> left = spares;
+        std::vector<Spare> taken;
+        for (const Scalar& scalar : scalars) {
+            const auto found =
+                std::ranges::find_if(left, [&](const Spare& spare) { return fits(*scalar.use, *spare.use); });
+            if (found == left.end())
+                return false;
+            taken.push_back(*found);
+            left.erase(found);
+        }
+        for (std::size_t i = 0; i < scalars.size(); ++i) {
+            at(taken[i].role)->channels[3] = {imageOf(*scalars[i].use), scalars[i].channel};
+            *scalars[i].place = taken[i].place;
+        }
+        spares = left;
+        return true;
+    }
+
+    void addMaterial(bool withOcclusion)
+    {
+        if (!needs.roughness && !needs.metallic)
+            return;
+        const int image = imageOf(material.metallicRoughness);
+        PlannedTexture texture = {
+            .content = TexelContent::data, .channels = {}, .sampler = samplerOf(material.metallicRoughness)};
+        if (withOcclusion) {
+            texture.channels[0] = {imageOf(material.occlusion), 0};
+            key.ambient = ScalarPlace::material;
+        }
+        if (needs.roughness) {
+            texture.channels[1] = {image, 1};
+            key.roughness = ScalarPlace::material;
+        }
+        if (needs.metallic) {
+            texture.channels[2] = {image, 2};
+            key.metallic = ScalarPlace::material;
+        }
+        at(TextureRole::material) = texture;
+        key.material = needs.metallicRoughness;
+    }
+
+    void addOcclusion()
+    {
+        if (!needs.occlusion.used)
+            return;
+        at(TextureRole::occlusion) = {.content = TexelContent::data,
+                                      .channels = {ChannelSource{imageOf(material.occlusion), 0}, {}, {}, {}},
+                                      .sampler = samplerOf(material.occlusion)};
+        key.occlusion = needs.occlusion;
+        key.ambient = ScalarPlace::own;
+    }
+
+    /// An alpha that nothing reads.
+    struct Spare
+    {
+        TextureRole role;
+        const TextureUse* use;
+        ScalarPlace place;
+    };
+
+    const Scene& scene;
+    const Material& material;
+    const TextureNeeds& needs;
+    ShaderKey& key;
+    RoleTextures textures;
+    std::vector<Spare> spares;
+};
+
+} // namespace
+
+RoleTextures planTextures(const Scene& scene, const Material& material, const TextureNeeds& needs, ShaderKey& key)
+{
+    return Packer(scene, material, needs, key).run();
+}
+
+} // namespace torrance

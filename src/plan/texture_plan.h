@@ -1,0 +1,60 @@
+// The textures that the device gets: a material's channels packed into as few as draw the same picture.
+#pragma once
+
+#include "plan/shader_key.h"
+#include "scene/scene.h"
+
+#include <array>
+#include <optional>
+
+namespace torrance {
+
+/// A channel of one of Scene::images.
+struct ChannelSource
+{
+    int image = -1; // -1: nothing reads it
+    int channel = 0;
+
+    auto operator<=>(const ChannelSource&) const = default;
+};
+
+struct PlannedTexture
+{
+    TexelContent content = TexelContent::color; // of the first three channels; the fourth is linear
+    std::array<ChannelSource, 4> channels;      // of images of one size
+    Sampler sampler;
+    bool weighByAlpha = false;  // colours count by their alpha where texels are averaged
+    bool lengthInAlpha = false; // of normals: the length of their mean, which Toksvig's filter reads
+
+    auto operator<=>(const PlannedTexture&) const = default;
+};
+
+/// What a shader reads from each of its textures.
+enum class TextureRole
+{
+    baseColor,
+    material, // R = occlusion, G = roughness, B = metallic
+    normal,
+    occlusion, // R
+    emissive,
+};
+inline constexpr std::size_t kTextureRoles = 5;
+
+/// By role; nothing where a shader reads none.
+using RoleTextures = std::array<std::optional<PlannedTexture>, kTextureRoles>;
+
+/// Which of a material's uses a primitive can draw, and which scalars vary over them.
+struct TextureNeeds
+{
+    TextureKey baseColor, metallicRoughness, normal, occlusion, emissive;
+    bool roughness = false, metallic = false; // varies over metallicRoughness
+    bool lengthInAlpha = false;               // of the normal map
+};
+
+/// Packs what `needs` names: single channels go into alphas that nothing else needs, where both are sampled alike, are
+/// of one size, and the alpha holds all their bits; what is left of occlusion, roughness and metallic shares one
+/// texture where it can. The pictures are the same but for the rounding of 8 bits to half floats (2^-12). Sets the
+/// key's textures and places.
+RoleTextures planTextures(const Scene& scene, const Material& material, const TextureNeeds& needs, ShaderKey& key);
+
+} // namespace torrance
