@@ -106,8 +106,10 @@ float seenSide()
 vec3 readNormal(Texels t, vec3 geometricNormal)
 {
 #ifdef NORMALS
+#ifdef VANISHING_NORMALS
     if (dot(inNormal, inNormal) == 0.0)
         return geometricNormal; // no direction came out of the vertices
+#endif
 #ifdef TANGENTS
     vec4 tangent = inTangent;
 #else

@@ -12,12 +12,14 @@ layout(location = 1) out uvec4 outUv;
 // The interpolated normal, of any length but zero.
 vec3 attributeNormal()
 {
-#ifdef NORMALS
+#ifdef VANISHING_NORMALS
     if (dot(inNormal, inNormal) > 0.0)
         return inNormal;
-#endif
     vec3 view = directionOf(frame.towardsEye - frame.eyeWeight * inPosition);
     return readGeometricNormal(view) * seenSide(); // turned back when it is read
+#else
+    return inNormal;
+#endif
 }
 
 void main()

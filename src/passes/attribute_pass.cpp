@@ -76,6 +76,18 @@ gpu::Bindings resolveBindings(const FrameInputs& frame, std::size_t index, const
     return bindings;
 }
 
+std::vector<PixelBox> classAreas(const FrameInputs& frame)
+{
+    const ShadingPlan& plan = frame.scene.plan;
+    std::vector<PixelBox> areas(plan.classes.size());
+    for (const Batch& batch : plan.batches)
+        for (const Draw& draw : batch.draws)
+            if (batch.shadingClass >= 0)
+                areas[static_cast<std::size_t>(batch.shadingClass)].include(
+                    pixelBoxOf(frame.camera, plan.settings.width, plan.settings.height, draw.bounds));
+    return areas;
+}
+
 std::vector<gpu::ImageUse> attributeUses(const AttributeTargets& targets)
 {
     std::vector<gpu::ImageUse> uses;

@@ -5,6 +5,7 @@
 #include "gpu/pipeline.h"
 #include "passes/frame_inputs.h"
 #include "passes/surface_pass.h"
+#include "scene/pixel_box.h"
 #include "shaders/shared/material.h"
 
 #include <span>
@@ -36,6 +37,9 @@ ResolveForm resolveForm(const ShadingPlan& plan, const ShadingClass& shadingClas
 /// Everything that the pipeline of class number `index` binds.
 gpu::Bindings resolveBindings(const FrameInputs& frame, std::size_t index, const AttributeTargets& targets,
                               const vk::raii::Sampler& sampler);
+
+/// By class, the part of the picture where its surfaces may be seen.
+std::vector<PixelBox> classAreas(const FrameInputs& frame);
 
 /// The attributes as resolve.frag reads them.
 std::vector<gpu::ImageUse> attributeUses(const AttributeTargets& targets);

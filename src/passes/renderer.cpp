@@ -29,6 +29,12 @@ ClearColor backgroundClear(const Settings& settings)
     return vec4(vec3(color), 1.0f); // of an environment that is not there: black
 }
 
+vk::Rect2D rectangleOf(const PixelBox& box)
+{
+    const ivec2 size = box.beyond - box.first;
+    return {{box.first.x, box.first.y}, {static_cast<std::uint32_t>(size.x), static_cast<std::uint32_t>(size.y)}};
+}
+
 // Whether the attributes path leaves something to be shaded as it is drawn.
 bool drawsDirectly(const ShadingPlan& plan)
 {
@@ -187,14 +193,19 @@ void Renderer::resolveAttributes(gpu::Commands& commands, const FrameInputs& fra
     commands.use(attributeUses(*targets.attributes));
     const std::array colors = {&targets.color};
     beginRendering(commands, colors, &targets.attributes->depth, backgroundClear(plan.settings), LoadTarget::readOnly);
+    const std::vector<PixelBox> areas = classAreas(frame);
     for (std::size_t i = 0; i < plan.classes.size(); ++i) {
+        if (areas[i].empty())
+            continue;
         const ResolveForm form = resolveForm(plan, plan.classes[i]);
         const gpu::Pipeline& pipeline = imagePipeline("passes/resolve.frag", form.selected, form.description);
         commands.buffer.bindPipeline(vk::PipelineBindPoint::eGraphics, *pipeline.handle);
         commands.buffer.setStencilReference(vk::StencilFaceFlagBits::eFrontAndBack, static_cast<std::uint32_t>(i + 1));
         resolveBindings(frame, i, *targets.attributes, tableSampler).push(commands.buffer, pipeline);
+        commands.buffer.setScissor(0, rectangleOf(areas[i])); // outside, even the test of the stencil costs
         commands.buffer.draw(3, 1, 0, 0);
     }
+    commands.buffer.setScissor(0, vk::Rect2D{{0, 0}, {targets.color.shape.width, targets.color.shape.height}});
     drawBackground(commands, frame);
     commands.buffer.endRendering();
 }

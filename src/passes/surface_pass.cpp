@@ -3,6 +3,7 @@
 #include "passes/targets.h"
 #include "plan/attribute_plan.h"
 #include "plan/deferred_plan.h"
+#include "scene/pixel_box.h"
 #include "shaders/shared/bindings.h"
 #include "shaders/shared/instance.h"
 #include "shaders/shared/instance_attributes.h"
@@ -195,10 +196,10 @@ void drawOnce(gpu::Commands& commands, const Batch& batch, SurfaceOutput output,
 }
 
 void drawSides(gpu::Commands& commands, const Batch& batch, SurfaceOutput output, const Draw& draw,
-               const FrameInputs& frame)
+               const FrameInputs& frame, const PixelBox& seen)
 {
     using Cull = vk::CullModeFlagBits;
-    if (!batch.key.doubleSided)
+    if (!batch.key.doubleSided || (draw.starBody && !seen.nearCut))
         drawOnce(commands, batch, output, draw, frame, Cull::eBack);
     else if (batch.key.alphaMode != AlphaMode::blend)
         drawOnce(commands, batch, output, draw, frame, Cull::eNone);
@@ -269,7 +270,11 @@ void drawBatch(gpu::Commands& commands, const gpu::Pipeline& pipeline, const Bat
     commands.buffer.bindPipeline(vk::PipelineBindPoint::eGraphics, *pipeline.handle);
     commands.buffer.bindIndexBuffer(*frame.scene.meshes.indices.handle, 0, vk::IndexType::eUint32);
     int bound = -1; // the block of a material
+    const Settings& settings = frame.scene.plan.settings;
     for (const Draw& draw : batch.draws) {
+        const PixelBox seen = pixelBoxOf(frame.camera, settings.width, settings.height, draw.bounds);
+        if (seen.empty())
+            continue;
         if (draw.block != bound || isShape(batch.key.surface)) {
             frame.scene.materials.bind(bindings, static_cast<std::size_t>(draw.block));
             if (isShape(batch.key.surface))
@@ -277,7 +282,7 @@ void drawBatch(gpu::Commands& commands, const gpu::Pipeline& pipeline, const Bat
             bindings.push(commands.buffer, pipeline);
             bound = draw.block;
         }
-        drawSides(commands, batch, output, draw, frame);
+        drawSides(commands, batch, output, draw, frame, seen);
     }
 }
 

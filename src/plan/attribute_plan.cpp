@@ -156,7 +156,8 @@ ShaderKey resolveKey(const ShaderKey& key)
 {
     ShaderKey rest = key;
     rest.alphaMode = AlphaMode::opaque;
-    rest.doubleSided = false; // the attributes tell which side is seen
+    rest.doubleSided = false;      // the attributes tell which side is seen
+    rest.vanishingNormals = false; // and hold another where there is none
     for (TextureKey* texture : {&rest.baseColor, &rest.material, &rest.normal, &rest.occlusion, &rest.emissive})
         *texture = {.used = texture->used};
     return rest;

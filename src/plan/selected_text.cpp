@@ -128,6 +128,7 @@ std::string selectedText(const ShadingPlan& plan, const ShaderKey& key)
     const bool lit = !key.unlit && key.normals;
     define(text, surfaceMacro(key.surface), true);
     define(text, "NORMALS", key.normals && isMesh(key.surface));
+    define(text, "VANISHING_NORMALS", key.vanishingNormals);
     define(text, "TANGENTS", key.tangents());
     define(text, "UV0", key.usesUv(0));
     define(text, "UV1", key.usesUv(1));
@@ -189,6 +190,7 @@ std::string attributesText(const ShadingPlan& plan, const Batch& batch)
     std::string text = "// attributes of " + key.name() + "\n";
     define(text, surfaceMacro(key.surface), true);
     define(text, "NORMALS", key.normals);
+    define(text, "VANISHING_NORMALS", key.vanishingNormals);
     define(text, "TANGENTS", key.tangents());
     define(text, "UV0", key.usesUv(0));
     define(text, "UV1", key.usesUv(1));

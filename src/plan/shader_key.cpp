@@ -64,6 +64,7 @@ std::string ShaderKey::name() const
             text.append(" ").append(label).append("@").append(placeName(p));
     };
     flag(!normals, "no-normals");
+    flag(vanishingNormals, "vanishing-normals");
     flag(colors, "colors");
     texture(baseColor, "baseColor");
     texture(material, "material");

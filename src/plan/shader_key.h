@@ -42,7 +42,8 @@ enum class ScalarPlace
 struct ShaderKey
 {
     SurfaceKind surface = SurfaceKind::triangles;
-    bool normals = true; // points and lines may have none: they are then drawn unlit, as glTF asks
+    bool normals = true;           // points and lines may have none: they are then drawn unlit, as glTF asks
+    bool vanishingNormals = false; // interpolated, they may be zero somewhere
     bool colors = false;
     TextureKey baseColor = {}, material = {}, normal = {}, occlusion = {}, emissive = {}; // TextureRole
     ScalarPlace roughness = ScalarPlace::constant, metallic = ScalarPlace::constant,

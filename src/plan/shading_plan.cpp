@@ -6,6 +6,7 @@
 #include "plan/compensation.h"
 #include "plan/deferred_plan.h"
 #include "plan/light_plan.h"
+#include "plan/primitive_facts.h"
 
 #include <algorithm>
 #include <limits>
@@ -14,27 +15,6 @@
 
 namespace torrance {
 namespace {
-
-struct Box
-{
-    dvec3 least = dvec3(std::numeric_limits<double>::infinity());
-    dvec3 greatest = dvec3(-std::numeric_limits<double>::infinity());
-
-    void include(const dvec3& p)
-    {
-        least = glm::min(least, p);
-        greatest = glm::max(greatest, p);
-    }
-};
-
-Box boxOf(const dmat4& m, const dvec3& least, const dvec3& greatest)
-{
-    Box bounds;
-    for (int corner = 0; corner < 8; ++corner)
-        bounds.include(dvec3(m * dvec4(corner & 1 ? greatest.x : least.x, corner & 2 ? greatest.y : least.y,
-                                       corner & 4 ? greatest.z : least.z, 1.0)));
-    return bounds;
-}
 
 SurfaceKind surfaceOf(Topology topology)
 {
@@ -209,19 +189,25 @@ void Planner::addPrimitives()
                      .firstInstance = static_cast<int>(plan.instances.size()),
                      .instanceCount = 0,
                      .mirrored = placed[first].mirrored};
+        const Box own = {primitive.boundsMin, primitive.boundsMax};
+        bool singular = false;
         for (; first < placed.size() && placed[first].instance->primitive == primitiveIndex &&
                placed[first].mirrored == draw.mirrored;
              ++first)
         {
             const Instance& instance = *placed[first].instance;
-            const Box box = boxOf(instance.worldFromObject, primitive.boundsMin, primitive.boundsMax);
-            bounds.include(box.least);
-            bounds.include(box.greatest);
+            const Box box = transformed(instance.worldFromObject, own);
+            draw.bounds.include(box);
+            singular |= glm::determinant(dmat3(instance.worldFromObject)) == 0.0;
             plan.instances.push_back({static_cast<int>(material), instance.object, instance.worldFromObject,
                                       0.5 * (box.least + box.greatest)});
             ++draw.instanceCount;
         }
-        const auto [key, textures] = keyOf(plan.materials[material], primitive);
+        bounds.include(draw.bounds);
+        auto [key, textures] = keyOf(plan.materials[material], primitive);
+        key.vanishingNormals =
+            key.surface == SurfaceKind::triangles && key.normals && (singular || normalsMayVanish(primitive));
+        draw.starBody = key.doubleSided && !singular && isStarBody(primitive);
         add(key, textures, draw);
     }
 }
@@ -232,9 +218,8 @@ void Planner::addShapes()
         const AnalyticShape& shape = scene.shapes[i];
         const std::size_t material = materialIndex(shape.material);
         const Material& m = plan.materials[material].material;
-        const Box box = boxOf(shape.worldFromObject, dvec3(-1.0), dvec3(1.0));
-        bounds.include(box.least);
-        bounds.include(box.greatest);
+        const Box box = transformed(shape.worldFromObject, {dvec3(-1.0), dvec3(1.0)});
+        bounds.include(box);
         const ShaderKey key = {.surface =
                                    shape.kind == AnalyticShape::Kind::sphere ? SurfaceKind::sphere : SurfaceKind::plane,
                                .alphaMode = m.alphaMode,
@@ -250,7 +235,8 @@ void Planner::addShapes()
         add(key, {-1, -1, -1, -1, -1},
             {.primitive = -1,
              .shape = static_cast<int>(i),
-             .firstInstance = static_cast<int>(plan.instances.size()) - 1});
+             .firstInstance = static_cast<int>(plan.instances.size()) - 1,
+             .bounds = box});
     }
 }
 

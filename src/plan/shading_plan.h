@@ -2,6 +2,7 @@
 // included) and settings: it can be printed and tested without a device.
 #pragma once
 
+#include "math/box.h"
 #include "plan/material_plan.h"
 #include "plan/remark.h"
 #include "plan/settings.h"
@@ -25,8 +26,10 @@ struct Draw
     int shape = -1;        // Scene::shapes
     int firstInstance = 0; // ShadingPlan::instances
     int instanceCount = 1;
-    bool mirrored = false; // the transforms turn the winding round
-    int block = 0;         // ShadingPlan::blocks
+    bool mirrored = false;   // the transforms turn the winding round
+    int block = 0;           // ShadingPlan::blocks
+    bool starBody = false; // its back is never seen from outside of it
+    Box bounds;              // of all instances, world
 };
 
 /// A material as the shaders of some draws read it.
