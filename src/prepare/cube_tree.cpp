@@ -100,7 +100,7 @@ std::vector<NodePlace> rootsOf(const CubeTree& tree)
 {
     std::vector<NodePlace> roots;
     for (auto face = static_cast<std::uint32_t>(tree.levels.back().nodes.size()); face-- > 0;)
-        roots.push_back({static_cast<std::uint32_t>(tree.levels.size()) - 1, face});
+        roots.push_back({static_cast<std::uint32_t>(tree.levels.size()) - 1, face, 1});
     return roots;
 }
 

@@ -63,10 +63,10 @@ struct Opening
     float end = 2.0f;     // chord from the receivers beyond which the kernel is nothing: such nodes are left out
 };
 
-/// A node of a tree by its place.
+/// Up to four neighbouring nodes of one level.
 struct NodePlace
 {
-    std::uint32_t level, number;
+    std::uint32_t level, first, count;
 };
 
 /// The roots of a tree: one per face that has light.

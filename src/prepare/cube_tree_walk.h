@@ -4,6 +4,7 @@
 #include "prepare/cube_tree.h"
 
 #include <array>
+#include <bit>
 #include <cmath>
 
 namespace torrance {
@@ -32,32 +33,56 @@ struct WalkLimits
 
 namespace detail {
 
+/// Bit i of each says it of the i-th of some neighbours.
+struct Verdicts
+{
+    unsigned points = 0, opened = 0, undecided = 0;
+};
+
+/// Of up to four nodes of a level. Without branches: what becomes of a node is hard to foretell.
+template <bool stopsAtUndecided>
+Verdicts judge(const CubeNode* nodes, std::uint32_t count, const WalkLimits::Level& limit, const Cap& cap,
+               const Opening& opening, bool leaves, std::array<float, 4>& cosines)
+{
+    Verdicts verdicts;
+    for (std::uint32_t i = 0; i < count; ++i) {
+        const vec3 d = nodes[i].direction, apart = d - cap.centre;
+        const float chord2 = glm::dot(apart, apart), cosine = glm::dot(d, cap.centre);
+        cosines[i] = cosine;
+        const unsigned lights = unsigned(cosine >= -limit.reach) & unsigned(chord2 <= limit.end2);
+        const unsigned whole = unsigned(!opening.leavesAtHorizon) | unsigned(cosine >= limit.reach);
+        const unsigned point = unsigned(leaves) | (unsigned(chord2 >= limit.smallForAll2) & whole);
+        const unsigned undecided = unsigned(stopsAtUndecided) & unsigned(chord2 >= limit.smallForAny2) & ~point;
+        verdicts.points |= (lights & point) << i;
+        verdicts.undecided |= (lights & undecided) << i;
+        verdicts.opened |= (lights & ~point & ~undecided & 1u) << i;
+    }
+    return verdicts;
+}
+
 template <bool stopsAtUndecided, typename Take>
 void walk(const CubeTree& tree, const Cap& cap, const Opening& opening, std::vector<NodePlace>& places,
           std::vector<NodePlace>* undecided, const Take& take)
 {
     const WalkLimits limits(tree, cap, opening);
+    std::array<float, 4> cosines;
     while (!places.empty()) {
         const NodePlace at = places.back();
         places.pop_back();
         const CubeTree::Level& level = tree.levels[at.level];
-        const CubeNode& node = level.nodes[at.number];
-        const WalkLimits::Level& limit = limits.levels[at.level];
-        const vec3 apart = node.direction - cap.centre;
-        const float chord2 = glm::dot(apart, apart), cosine = glm::dot(node.direction, cap.centre);
-        if (cosine < -limit.reach || chord2 > limit.end2)
-            continue;
-        const bool mayBeCut = opening.leavesAtHorizon && cosine < limit.reach;
-        if (at.level == 0 || (chord2 >= limit.smallForAll2 && !mayBeCut)) {
-            take(node, cosine);
-            continue;
+        const CubeNode* nodes = level.nodes.data() + at.first;
+        const Verdicts verdicts = judge<stopsAtUndecided>(nodes, at.count, limits.levels[at.level], cap, opening,
+                                                          at.level == 0, cosines);
+        for (unsigned left = verdicts.points; left != 0; left &= left - 1) {
+            const int i = std::countr_zero(left);
+            take(nodes[i], cosines[static_cast<std::size_t>(i)]);
         }
-        if (stopsAtUndecided && chord2 >= limit.smallForAny2) {
-            undecided->push_back(at);
-            continue;
+        for (unsigned left = verdicts.undecided; left != 0; left &= left - 1)
+            undecided->push_back({at.level, at.first + static_cast<std::uint32_t>(std::countr_zero(left)), 1});
+        for (unsigned left = verdicts.opened; left != 0; left &= left - 1) {
+            const std::uint32_t* child = level.firstChild.data() + at.first + std::countr_zero(left);
+            places.push_back({at.level - 1, child[0], child[1] - child[0]});
         }
-        for (std::uint32_t child = level.firstChild[at.number + 1]; child-- > level.firstChild[at.number];)
-            places.push_back({at.level - 1, child});
     }
 }
 

@@ -84,19 +84,19 @@ public:
         while (!places.empty()) {
             const NodePlace at = places.back();
             places.pop_back();
-            const CubeNode& node = tree.levels[at.level].nodes[at.number];
+            const CubeNode& node = tree.levels[at.level].nodes[at.first];
             const float cosine = glm::dot(node.direction, block.cap.centre);
             const bool opened = at.level > first;
             const float extent = opened ? extentOf(at.level) : node.spread;
             if (cosine + block.cap.radius <= -extent)
                 continue;
             if (cosine - block.cap.radius >= extent)
-                whole.add(moments[at.level][at.number]);
+                whole.add(moments[at.level][at.first]);
             else if (!opened)
                 points.atHorizon.push_back(node);
             else
-                for (auto child = firstChild(at.level, at.number + 1); child-- > firstChild(at.level, at.number);)
-                    places.push_back({at.level - 1, child});
+                for (auto child = firstChild(at.level, at.first + 1); child-- > firstChild(at.level, at.first);)
+                    places.push_back({at.level - 1, child, 1});
         }
         KernelSums sums;
         addPoints(block, points.atHorizon, AtHorizon(), sums);
