@@ -235,7 +235,7 @@ void DiskCache::makeRoom(std::uintmax_t bytes) const
         const std::string name = it->path().filename().string();
         const bool temporary = isTemporary(name);
         if (!temporary && !isKey(name))
-            continue; // not ours
+            continue;         // not ours
         std::error_code gone; // another process may have removed it
         const Entry entry = {it->path(), it->last_write_time(gone), it->file_size(gone)};
         if (gone)

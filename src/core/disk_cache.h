@@ -42,7 +42,8 @@ private:
     ContentHasher hasher;
 };
 
-/// Nothing where the file is not there, is another version's, was stored under another key, or is not of its own length.
+/// Nothing where the file is not there, is another version's, was stored under another key, or is not of its own
+/// length.
 std::optional<KeptResult> openResult(const std::filesystem::path& file, const ContentHash& key);
 
 /// Writes a result, whose parts are stored after each other, so that openResult finds it. Throws as writeFile.

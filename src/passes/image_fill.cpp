@@ -25,8 +25,7 @@ std::vector<Band> bandsOf(const gpu::ImageShape& shape, std::size_t bytesPerTexe
     std::vector<Band> bands;
     for (std::uint32_t mip = 0; mip < shape.mips; ++mip) {
         const std::uint32_t width = std::max(shape.width >> mip, 1u), height = std::max(shape.height >> mip, 1u);
-        const auto rows =
-            static_cast<std::uint32_t>(std::max<std::size_t>(1, kStagingBytes / (width * bytesPerTexel)));
+        const auto rows = static_cast<std::uint32_t>(std::max<std::size_t>(1, kStagingBytes / (width * bytesPerTexel)));
         for (std::uint32_t layer = 0; layer < shape.layers; ++layer)
             for (std::uint32_t row = 0; row < height; row += rows)
                 bands.push_back({mip, layer, width, row, std::min(rows, height - row)});
@@ -47,8 +46,7 @@ void copyBands(const gpu::Device& device, const gpu::Buffer& staging, const gpu:
         offset += band.bytes(bytesPerTexel);
     }
     gpu::Commands commands(device);
-    commands.use({gpu::use(image, gpu::Access::transferWrite, first)},
-                 {gpu::use(staging, gpu::Access::transferRead)});
+    commands.use({gpu::use(image, gpu::Access::transferWrite, first)}, {gpu::use(staging, gpu::Access::transferRead)});
     commands.buffer.copyBufferToImage(*staging.handle, *image.handle, vk::ImageLayout::eTransferDstOptimal, regions);
     if (last)
         commands.use({gpu::use(image, gpu::Access::sampled)});

@@ -75,8 +75,9 @@ std::uint32_t spreadBits(std::uint32_t x)
 CubeNode makeCubeNode(const dvec3& mean, float solidAngle, const vec3& energy)
 {
     const double length = glm::length(mean);
-    return {vec3(mean / length), static_cast<float>(std::max(kLeastSpread, std::sqrt(std::max(0.0, 3.0 * (1.0 - length))))),
-            solidAngle, energy};
+    return {vec3(mean / length),
+            static_cast<float>(std::max(kLeastSpread, std::sqrt(std::max(0.0, 3.0 * (1.0 - length))))), solidAngle,
+            energy};
 }
 
 std::uint32_t treeCode(int face, int x, int y, int size)

@@ -23,8 +23,8 @@ struct CubeNode
 /// order. The spread is never quite 0, so that kernels may divide by it.
 CubeNode makeCubeNode(const dvec3& meanDirection, float solidAngle, const vec3& energy);
 
-/// Where a texel of a cube of `size` (a power of two) lies in the order of a tree: four neighbours after each other, and
-/// their parent has a quarter of their code.
+/// Where a texel of a cube of `size` (a power of two) lies in the order of a tree: four neighbours after each other,
+/// and their parent has a quarter of their code.
 std::uint32_t treeCode(int face, int x, int y, int size);
 
 /// Patches by rising code, each once; those that are not there have no light.
@@ -72,18 +72,18 @@ struct NodePlace
 /// The roots of a tree: one per face that has light.
 std::vector<NodePlace> rootsOf(const CubeTree& tree);
 
-/// The points that light all receivers of a cap: nodes no larger than a fixed share of the kernel's scale, to the leaves
-/// where need be. Nodes below the horizon of all receivers are left out. Gives what lies at `places` (which are used up)
-/// and below to take(node, cosine), the cosine that of node and cap, in an order that depends on nothing else.
+/// The points that light all receivers of a cap: nodes no larger than a fixed share of the kernel's scale, to the
+/// leaves where need be. Nodes below the horizon of all receivers are left out. Gives what lies at `places` (which are
+/// used up) and below to take(node, cosine), the cosine that of node and cap, in an order that depends on nothing else.
 template <typename Take>
 void collectPoints(const CubeTree& tree, const Cap& cap, const Opening& opening, std::vector<NodePlace>& places,
                    const Take& take);
 
-/// The same for many caps within a wide one: takes the points of them all. From `undecided` down each goes on by itself,
-/// to the very points that it would have found alone.
+/// The same for many caps within a wide one: takes the points of them all. From `undecided` down each goes on by
+/// itself, to the very points that it would have found alone.
 template <typename Take>
-void collectCommonPoints(const CubeTree& tree, const Cap& wide, const Opening& opening,
-                         std::vector<NodePlace>& places, std::vector<NodePlace>& undecided, const Take& take);
+void collectCommonPoints(const CubeTree& tree, const Cap& wide, const Opening& opening, std::vector<NodePlace>& places,
+                         std::vector<NodePlace>& undecided, const Take& take);
 
 } // namespace torrance
 

@@ -71,8 +71,8 @@ void walk(const CubeTree& tree, const Cap& cap, const Opening& opening, std::vec
         places.pop_back();
         const CubeTree::Level& level = tree.levels[at.level];
         const CubeNode* nodes = level.nodes.data() + at.first;
-        const Verdicts verdicts = judge<stopsAtUndecided>(nodes, at.count, limits.levels[at.level], cap, opening,
-                                                          at.level == 0, cosines);
+        const Verdicts verdicts =
+            judge<stopsAtUndecided>(nodes, at.count, limits.levels[at.level], cap, opening, at.level == 0, cosines);
         for (unsigned left = verdicts.points; left != 0; left &= left - 1) {
             const int i = std::countr_zero(left);
             take(nodes[i], cosines[static_cast<std::size_t>(i)]);
@@ -96,8 +96,8 @@ void collectPoints(const CubeTree& tree, const Cap& cap, const Opening& opening,
 }
 
 template <typename Take>
-void collectCommonPoints(const CubeTree& tree, const Cap& wide, const Opening& opening,
-                         std::vector<NodePlace>& places, std::vector<NodePlace>& undecided, const Take& take)
+void collectCommonPoints(const CubeTree& tree, const Cap& wide, const Opening& opening, std::vector<NodePlace>& places,
+                         std::vector<NodePlace>& undecided, const Take& take)
 {
     detail::walk<true>(tree, wide, opening, places, &undecided, take);
 }

@@ -105,7 +105,10 @@ public:
     }
 
 private:
-    std::uint32_t firstChild(std::size_t level, std::size_t number) const { return tree.levels[level].firstChild[number]; }
+    std::uint32_t firstChild(std::size_t level, std::size_t number) const
+    {
+        return tree.levels[level].firstChild[number];
+    }
 
     /// Chord from a node's direction within which its points lie with their spread: the diagonal of a square of the
     /// largest angle that a node spans, and another side.

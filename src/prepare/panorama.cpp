@@ -13,32 +13,55 @@ constexpr std::size_t kRowsAtATime = 16;
 
 using Color = float __attribute__((vector_size(4 * sizeof(float))));
 
-/// With an alpha of 1 where the picture has none.
-Color colorAt(const float* texel, int channels)
+/// Of a texel of three channels, with an alpha of 1. Reads the float after them.
+Color opaque(const float* texel)
 {
-    Color color = {0.0f, 0.0f, 0.0f, 1.0f};
-    std::memcpy(&color, texel, static_cast<std::size_t>(channels) * sizeof(float));
+    Color color;
+    std::memcpy(&color, texel, sizeof color);
+    color[3] = 1.0f;
     return color;
 }
 
-template <int channels>
-Image halved(const Image& fine)
+/// The same of the last texel, which no float follows.
+Color lastOpaque(const float* texel)
+{
+    return Color{texel[0], texel[1], texel[2], 1.0f};
+}
+
+Color colorOf(const float* texel)
+{
+    Color color;
+    std::memcpy(&color, texel, sizeof color);
+    return color;
+}
+
+void put(float* texel, const Color& color)
+{
+    std::memcpy(texel, &color, sizeof color);
+}
+
+/// `read` gives a texel's colour.
+template <typename Read>
+Image halved(const Image& fine, const Read& read)
 {
     Image level(std::max(fine.width / 2, 1), std::max(fine.height / 2, 1), 4);
     parallelFor(static_cast<std::size_t>(level.height), kRowsAtATime, [&](std::size_t row) {
-        const int y = static_cast<int>(row);
+        const int y = static_cast<int>(row), x1 = fine.width > 1 ? 1 : 0;
         const float* upper = fine.at(0, std::min(2 * y, fine.height - 1));
         const float* lower = fine.at(0, std::min(2 * y + 1, fine.height - 1));
-        float* out = level.at(0, y);
         for (int x = 0; x < level.width; ++x) {
-            const int x0 = channels * std::min(2 * x, fine.width - 1);
-            const int x1 = channels * std::min(2 * x + 1, fine.width - 1);
-            const Color mean = 0.25f * (colorAt(upper + x0, channels) + colorAt(upper + x1, channels) +
-                                        colorAt(lower + x0, channels) + colorAt(lower + x1, channels));
-            std::memcpy(out + 4 * x, &mean, sizeof mean);
+            const int left = fine.channels * 2 * x, right = left + fine.channels * x1;
+            put(level.at(x, y),
+                0.25f * (read(upper + left) + read(upper + right) + read(lower + left) + read(lower + right)));
         }
     });
     return level;
+}
+
+Image halfOfRadiance(const Image& radiance)
+{
+    const float* last = radiance.texels.data() + radiance.texels.size() - 3;
+    return halved(radiance, [last](const float* texel) { return texel == last ? lastOpaque(texel) : opaque(texel); });
 }
 
 } // namespace
@@ -47,17 +70,20 @@ PanoramaTexels::PanoramaTexels(const Image& picture) : radiance(picture)
 {
     assert(radiance.channels == 3);
     if (radiance.height > 1)
-        halves.push_back(halved<3>(radiance));
+        halves.push_back(halfOfRadiance(radiance));
     while (!halves.empty() && halves.back().height > 1)
-        halves.push_back(halved<4>(halves.back()));
+        halves.push_back(halved(halves.back(), colorOf));
 }
 
 void PanoramaTexels::next(std::span<float> rgba)
 {
     const std::size_t ofLevel0 = radiance.texels.size() / 3;
-    for (; at < ofLevel0 && !rgba.empty(); ++at, rgba = rgba.subspan(4)) {
-        const Color color = colorAt(radiance.texels.data() + 3 * at, 3);
-        std::memcpy(rgba.data(), &color, sizeof color);
+    for (; at + 1 < ofLevel0 && !rgba.empty(); ++at, rgba = rgba.subspan(4))
+        put(rgba.data(), opaque(radiance.texels.data() + 3 * at));
+    if (at + 1 == ofLevel0 && !rgba.empty()) {
+        put(rgba.data(), lastOpaque(radiance.texels.data() + 3 * at));
+        ++at;
+        rgba = rgba.subspan(4);
     }
     std::size_t first = ofLevel0; // of a level
     for (const Image& level : halves) {

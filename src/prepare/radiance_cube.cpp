@@ -81,8 +81,9 @@ struct BaseImage
     Color at(int x, int y) const
     {
         Color color;
-        std::memcpy(&color, texels.data() + 3 * (static_cast<std::size_t>(y) * static_cast<std::size_t>(width) +
-                                                 static_cast<std::size_t>(x)),
+        std::memcpy(&color,
+                    texels.data() + 3 * (static_cast<std::size_t>(y) * static_cast<std::size_t>(width) +
+                                         static_cast<std::size_t>(x)),
                     sizeof color);
         return color;
     }
@@ -120,8 +121,7 @@ BaseImage makeBaseImage(const Image& panorama, float threshold, int factor)
         float* out = base.texels.data() + 3 * row * width;
         for (int x = 0; x < base.width; ++x, out += 3) {
             const int y = static_cast<int>(row);
-            factor == 1 ? setShare(panorama.at(x, y), threshold, out)
-                        : setMean(panorama, threshold, factor, x, y, out);
+            factor == 1 ? setShare(panorama.at(x, y), threshold, out) : setMean(panorama, threshold, factor, x, y, out);
         }
     });
     return base;
@@ -155,8 +155,8 @@ Color bilinear(const BaseImage& base, const Between& x, const Between& y)
            (lower + (base.at(x.second, y.second) - lower) * x.share) * y.share;
 }
 
-/// Fills the base's part of a cube: a row of texels of each face, and the row as far from the other edge. Faces are alike
-/// but for turns and mirrors, and so are the four quarters of a face: angles are computed for one.
+/// Fills the base's part of a cube: a row of texels of each face, and the row as far from the other edge. Faces are
+/// alike but for turns and mirrors, and so are the four quarters of a face: angles are computed for one.
 class BaseGather
 {
 public:
@@ -219,8 +219,9 @@ private:
                 }
             for (std::size_t i = 0; i < static_cast<std::size_t>(count); ++i) {
                 const double a = middle(static_cast<int>(i), 1), b = middle(row, 1);
-                texel.push_back({.inverseLength = 1.0 / std::sqrt(1.0 + a * a + b * b),
-                                 .solidAngle = static_cast<float>((outer[i] - outer[i + 1]) - (inner[i] - inner[i + 1]))});
+                texel.push_back(
+                    {.inverseLength = 1.0 / std::sqrt(1.0 + a * a + b * b),
+                     .solidAngle = static_cast<float>((outer[i] - outer[i + 1]) - (inner[i] - inner[i + 1]))});
             }
         }
     };
@@ -279,8 +280,8 @@ private:
         const auto u = static_cast<float>(0.5 + (below ? turn : -turn) / (2.0 * kPi));
         const auto v = static_cast<float>(sub.capPolar / kPi);
         mean[2] += sub.weight * bilinear(base, Between::columns(u, base.width), Between::rows(v, base.height));
-        mean[3] += sub.weight *
-                   bilinear(base, Between::columns(1.0f - u, base.width), Between::rows(1.0f - v, base.height));
+        mean[3] +=
+            sub.weight * bilinear(base, Between::columns(1.0f - u, base.width), Between::rows(1.0f - v, base.height));
     }
 
     void put(int face, int x, int y, const Quarter::Texel& texel, const Color& mean)
@@ -340,8 +341,8 @@ public:
         const auto n = static_cast<std::size_t>(size);
         for (const Sums& s : sums) {
             const auto face = static_cast<int>(s.texel / (n * n));
-            list.emplace_back(
-                treeCode(face, static_cast<int>(s.texel % n), static_cast<int>(s.texel / n % n), size), s);
+            list.emplace_back(treeCode(face, static_cast<int>(s.texel % n), static_cast<int>(s.texel / n % n), size),
+                              s);
         }
         std::ranges::sort(list, {}, [](const auto& entry) { return entry.first; });
         return list;

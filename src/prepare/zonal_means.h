@@ -37,8 +37,8 @@ struct TexelSquare
     int face, x, y, side;
 };
 
-/// Texels along a side of the squares that look for their points together: halves of it, and halves of those, then go on
-/// by themselves.
+/// Texels along a side of the squares that look for their points together: halves of it, and halves of those, then go
+/// on by themselves.
 inline constexpr int kGreatestSquare = 32;
 
 /// The points of one tree for the squares that hold a block, from the largest down to the block itself.
