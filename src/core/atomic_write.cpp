@@ -25,7 +25,16 @@ fs::path temporaryName(const fs::path& path)
 class TemporaryFile
 {
 public:
-    explicit TemporaryFile(const fs::path& target) : name(temporaryName(target)) {}
+    /// Makes and opens it. A process of our number that was ended may have left one.
+    explicit TemporaryFile(const fs::path& target)
+    {
+        constexpr int kTries = 1000;
+        for (int i = 0; i < kTries && descriptor < 0 && (i == 0 || errno == EEXIST); ++i) {
+            name = temporaryName(target);
+            descriptor = open(name.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
+        }
+        kept = descriptor < 0; // nothing to remove
+    }
     ~TemporaryFile()
     {
         std::error_code ignored;
@@ -45,6 +54,7 @@ public:
     }
 
     fs::path name;
+    int descriptor = -1; // the caller closes it
 
 private:
     bool kept = false;
@@ -70,23 +80,30 @@ bool isDevice(const fs::path& path)
     return fs::exists(status) && !fs::is_regular_file(status);
 }
 
-void writeAll(int file, const fs::path& path, std::span<const std::byte> bytes)
+bool writeAll(int file, std::span<const std::byte> bytes)
+{
+    while (!bytes.empty()) {
+        const ssize_t n = write(file, bytes.data(), bytes.size());
+        if (n < 0 && errno == EINTR)
+            continue;
+        if (n <= 0)
+            return false;
+        bytes = bytes.subspan(static_cast<std::size_t>(n));
+    }
+    return true;
+}
+
+void writeAndClose(int file, const fs::path& path, std::span<const std::span<const std::byte>> parts)
 {
     if (file < 0)
         failWithErrno(path);
-    std::size_t done = 0;
-    while (done < bytes.size()) {
-        const ssize_t n = write(file, bytes.data() + done, bytes.size() - done);
-        if (n < 0 && errno == EINTR)
-            continue;
-        if (n <= 0) {
+    for (const auto part : parts)
+        if (!writeAll(file, part)) {
             const int failure = errno;
             close(file);
             errno = failure;
             failWithErrno(path);
         }
-        done += static_cast<std::size_t>(n);
-    }
     if (close(file) != 0)
         failWithErrno(path);
 }
@@ -95,13 +112,18 @@ void writeAll(int file, const fs::path& path, std::span<const std::byte> bytes)
 
 void writeFile(const fs::path& path, std::span<const std::byte> bytes)
 {
+    writeFile(path, std::span(&bytes, 1));
+}
+
+void writeFile(const fs::path& path, std::span<const std::span<const std::byte>> parts)
+{
     checkTarget(path);
     if (isDevice(path)) {
-        writeAll(open(path.c_str(), O_WRONLY | O_CLOEXEC), path, bytes);
+        writeAndClose(open(path.c_str(), O_WRONLY | O_CLOEXEC), path, parts);
         return;
     }
     TemporaryFile temporary(path);
-    writeAll(open(temporary.name.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666), path, bytes);
+    writeAndClose(temporary.descriptor, path, parts);
     temporary.renameTo(path);
 }
 

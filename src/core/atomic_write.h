@@ -12,5 +12,7 @@ namespace torrance {
 /// `path` keeps what it held, and an Error (cannotWrite) says why. A device or pipe is written to as it is.
 void writeFile(const std::filesystem::path& path, std::span<const std::byte> bytes);
 void writeFile(const std::filesystem::path& path, std::string_view text);
+/// The same of parts that follow each other.
+void writeFile(const std::filesystem::path& path, std::span<const std::span<const std::byte>> parts);
 
 } // namespace torrance

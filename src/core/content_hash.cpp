@@ -41,6 +41,11 @@ ContentHasher& ContentHasher::add(std::span<const std::byte> bytes)
 {
     const std::uint64_t size = bytes.size();
     XXH3_128bits_update(static_cast<XXH3_state_t*>(state), &size, sizeof size);
+    return addPart(bytes);
+}
+
+ContentHasher& ContentHasher::addPart(std::span<const std::byte> bytes)
+{
     XXH3_128bits_update(static_cast<XXH3_state_t*>(state), bytes.data(), bytes.size());
     return *this;
 }

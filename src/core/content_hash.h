@@ -6,6 +6,7 @@
 #include <string>
 #include <string_view>
 #include <type_traits>
+#include <utility>
 
 namespace torrance {
 
@@ -27,6 +28,7 @@ class ContentHasher
 public:
     ContentHasher();
     ~ContentHasher();
+    ContentHasher(ContentHasher&& other) noexcept : state(std::exchange(other.state, nullptr)) {} // to be fed no more
     ContentHasher(const ContentHasher&) = delete;
     ContentHasher& operator=(const ContentHasher&) = delete;
 
@@ -37,6 +39,8 @@ public:
     {
         return add(std::as_bytes(std::span(&value, 1)));
     }
+    /// A part of a piece: its length is not hashed, so that the hash of parts alone is hashBytes of their whole.
+    ContentHasher& addPart(std::span<const std::byte> bytes);
     ContentHash finish() const;
 
 private:

@@ -6,19 +6,99 @@
 
 #include <algorithm>
 #include <array>
+#include <atomic>
+#include <cctype>
+#include <cerrno>
+#include <chrono>
 #include <cstdlib>
 #include <cstring>
-#include <fstream>
+#include <fcntl.h>
 #include <string>
+#include <sys/stat.h>
+#include <unistd.h>
+#include <utility>
 
 namespace torrance {
 namespace {
 
 namespace fs = std::filesystem;
+using namespace std::chrono_literals;
 
-// File: magic, checksum of the content, content. The magic's digit is the layout's version.
-constexpr std::array<char, 8> kMagic = {'T', 'O', 'R', 'C', 'A', 'C', 'H', '1'};
-constexpr std::size_t kHeaderBytes = kMagic.size() + sizeof(ContentHash);
+/// The head of a file. The content follows, and nothing after it.
+struct Header
+{
+    std::array<char, 8> magic; // its digit is the layout's version
+    ContentHash key;
+    std::uint64_t size;
+    ContentHash checksum; // of the content
+};
+static_assert(sizeof(Header) == 48);
+constexpr std::array<char, 8> kMagic = {'T', 'O', 'R', 'C', 'A', 'C', 'H', '2'};
+
+/// A write for every entry that is read would be many: what was used within a day counts as used now.
+constexpr auto kUsedLately = 24h;
+/// What is being written for longer was left by a process that was ended.
+constexpr auto kLongestWrite = 1h;
+
+bool readFully(int file, void* to, std::size_t count)
+{
+    auto* at = static_cast<std::byte*>(to);
+    while (count > 0) {
+        const ssize_t n = read(file, at, count);
+        if (n < 0 && errno == EINTR)
+            continue;
+        if (n <= 0)
+            return false;
+        at += n;
+        count -= static_cast<std::size_t>(n);
+    }
+    return true;
+}
+
+/// Closes what is not handed on.
+class Descriptor
+{
+public:
+    explicit Descriptor(int file) : number(file) {}
+    ~Descriptor()
+    {
+        if (number >= 0)
+            close(number);
+    }
+    Descriptor(const Descriptor&) = delete;
+    Descriptor& operator=(const Descriptor&) = delete;
+    int release() { return std::exchange(number, -1); }
+
+    int number;
+};
+
+void noteUse(const fs::path& file)
+{
+    std::error_code ignored; // a folder that cannot be written may still be read
+    const auto now = fs::file_time_type::clock::now();
+    if (now - fs::last_write_time(file, ignored) > kUsedLately)
+        fs::last_write_time(file, now, ignored);
+}
+
+bool isKey(std::string_view name)
+{
+    return name.size() == ContentHash().hex().size() &&
+           std::ranges::all_of(name, [](char c) { return std::isxdigit(static_cast<unsigned char>(c)) != 0; });
+}
+
+/// Our entries, and what writeFile makes while it writes one: .<key>.<process>-<number>.
+bool isTemporary(std::string_view name)
+{
+    const std::size_t length = ContentHash().hex().size();
+    return name.size() > length + 2 && name[0] == '.' && isKey(name.substr(1, length)) && name[length + 1] == '.';
+}
+
+void warnOnce(const std::string& problem)
+{
+    static std::atomic_flag warned; // all caches lie in one folder: what ails one ails the others
+    if (!warned.test_and_set())
+        logWarning("the cache is left alone: " + problem);
+}
 
 } // namespace
 
@@ -31,49 +111,110 @@ fs::path userCacheFolder()
     return {};
 }
 
+KeptResult::KeptResult(int file, std::uint64_t size, const ContentHash& checksum)
+    : descriptor(file), left(size), expected(checksum)
+{
+}
+
+KeptResult::KeptResult(KeptResult&& other) noexcept
+    : descriptor(std::exchange(other.descriptor, -1)), left(other.left), expected(other.expected),
+      hasher(std::move(other.hasher))
+{
+}
+
+KeptResult::~KeptResult()
+{
+    if (descriptor >= 0)
+        close(descriptor);
+}
+
+bool KeptResult::read(std::span<std::byte> to)
+{
+    if (to.size() > left || !readFully(descriptor, to.data(), to.size()))
+        return false;
+    left -= to.size();
+    hasher.addPart(to);
+    return true;
+}
+
+bool KeptResult::isIntact() const
+{
+    return left == 0 && hasher.finish() == expected;
+}
+
+std::optional<KeptResult> openResult(const fs::path& file, const ContentHash& key)
+{
+    Descriptor descriptor(open(file.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK)); // of a pipe, do not wait
+    struct stat status = {};
+    Header header = {};
+    if (descriptor.number < 0 || fstat(descriptor.number, &status) != 0 || !S_ISREG(status.st_mode) ||
+        !readFully(descriptor.number, &header, sizeof header))
+        return std::nullopt;
+    if (header.magic != kMagic || header.key != key ||
+        static_cast<std::uint64_t>(status.st_size) - sizeof header != header.size)
+        return std::nullopt;
+    return KeptResult(descriptor.release(), header.size, header.checksum);
+}
+
+void writeResult(const fs::path& file, const ContentHash& key, std::span<const std::span<const std::byte>> parts)
+{
+    ContentHasher hasher;
+    Header header = {.magic = kMagic, .key = key, .size = 0, .checksum = {}};
+    for (const auto part : parts) {
+        header.size += part.size();
+        hasher.addPart(part);
+    }
+    header.checksum = hasher.finish();
+    std::vector<std::span<const std::byte>> all = {std::as_bytes(std::span(&header, 1))};
+    all.insert(all.end(), parts.begin(), parts.end());
+    writeFile(file, all);
+}
+
 DiskCache::DiskCache(fs::path cacheFolder, std::uintmax_t bound) : folder(std::move(cacheFolder)), maxBytes(bound) {}
 
-std::optional<std::vector<std::byte>> DiskCache::load(const ContentHash& key) const
+std::optional<KeptResult> DiskCache::open(const ContentHash& key) const
 {
     if (folder.empty())
         return std::nullopt;
     const fs::path path = folder / key.hex();
-    std::ifstream file(path, std::ios::binary | std::ios::ate);
-    if (!file)
+    std::optional<KeptResult> result = openResult(path, key);
+    if (result && result->size() > maxBytes)
         return std::nullopt;
-    const std::streamoff size = file.tellg();
-    if (size < static_cast<std::streamoff>(kHeaderBytes) || static_cast<std::uintmax_t>(size) > maxBytes)
+    if (result)
+        noteUse(path);
+    return result;
+}
+
+std::optional<std::vector<std::byte>> DiskCache::load(const ContentHash& key) const
+{
+    std::optional<KeptResult> result = open(key);
+    if (!result)
         return std::nullopt;
-    std::array<char, kHeaderBytes> header;
-    std::vector<std::byte> content(static_cast<std::size_t>(size) - kHeaderBytes);
-    file.seekg(0);
-    file.read(header.data(), header.size());
-    file.read(reinterpret_cast<char*>(content.data()), static_cast<std::streamsize>(content.size()));
-    ContentHash checksum;
-    std::memcpy(&checksum, header.data() + kMagic.size(), sizeof checksum);
-    if (!file || std::memcmp(header.data(), kMagic.data(), kMagic.size()) != 0 || checksum != hashBytes(content))
+    std::vector<std::byte> content(result->size());
+    if (!result->read(content) || !result->isIntact())
         return std::nullopt;
-    std::error_code ignored;
-    fs::last_write_time(path, fs::file_time_type::clock::now(), ignored); // used lately: the last to go
     return content;
 }
 
 void DiskCache::store(const ContentHash& key, std::span<const std::byte> bytes)
 {
-    if (folder.empty() || bytes.size() + kHeaderBytes > maxBytes)
+    store(key, std::span(&bytes, 1));
+}
+
+void DiskCache::store(const ContentHash& key, std::span<const std::span<const std::byte>> parts)
+{
+    std::uintmax_t size = sizeof(Header);
+    for (const auto part : parts)
+        size += part.size();
+    if (folder.empty() || size > maxBytes)
         return;
-    const ContentHash checksum = hashBytes(bytes);
-    std::vector<std::byte> file(kHeaderBytes + bytes.size());
-    std::memcpy(file.data(), kMagic.data(), kMagic.size());
-    std::memcpy(file.data() + kMagic.size(), &checksum, sizeof checksum);
-    std::ranges::copy(bytes, file.begin() + kHeaderBytes);
     std::error_code failure;
-    fs::create_directories(folder, failure);
+    fs::create_directories(folder, failure); // each time: somebody may have removed it
     try {
-        makeRoom(file.size());
-        writeFile(folder / key.hex(), file);
+        makeRoom(size);
+        writeResult(folder / key.hex(), key, parts);
     } catch (const Error& error) {
-        logWarning(std::string("the cache is left alone: ") + error.what());
+        warnOnce(error.what());
         folder.clear();
     }
 }
@@ -88,14 +229,24 @@ void DiskCache::makeRoom(std::uintmax_t bytes) const
     };
     std::vector<Entry> entries;
     std::uintmax_t total = bytes;
+    const auto now = fs::file_time_type::clock::now();
     std::error_code failure;
     for (fs::directory_iterator it(folder, failure), end; !failure && it != end; it.increment(failure)) {
+        const std::string name = it->path().filename().string();
+        const bool temporary = isTemporary(name);
+        if (!temporary && !isKey(name))
+            continue;         // not ours
         std::error_code gone; // another process may have removed it
         const Entry entry = {it->path(), it->last_write_time(gone), it->file_size(gone)};
         if (gone)
             continue;
+        if (temporary && now - entry.used > kLongestWrite) {
+            fs::remove(entry.path, gone);
+            continue;
+        }
         total += entry.bytes;
-        entries.push_back(entry);
+        if (!temporary)
+            entries.push_back(entry);
     }
     std::ranges::sort(entries, {}, &Entry::used);
     for (const Entry& entry : entries) {

@@ -3,7 +3,8 @@
 #include "files/image_read.h"
 #include "image/srgb.h"
 
-#include <cmath>
+#include <limits>
+#include <utility>
 
 namespace torrance {
 namespace {
@@ -12,8 +13,9 @@ namespace {
 std::size_t replaceBadValues(Image& image)
 {
     std::size_t count = 0;
+    constexpr float kGreatest = std::numeric_limits<float>::max();
     for (float& value : image.texels)
-        if (!(std::isfinite(value) && value >= 0.0f)) {
+        if (!(value >= 0.0f && value <= kGreatest)) {
             value = 0.0f;
             ++count;
         }
@@ -30,10 +32,11 @@ void decodeSrgb(Image& image)
 
 LoadedEnvironment loadEnvironment(const std::string& path)
 {
-    const ReadImage picture = readImage(path);
-    LoadedEnvironment environment{.radiance = colorOf(picture, path), .replaced = 0, .warnings = {}};
+    ReadImage picture = readImage(path);
+    const bool displayReferred = picture.displayReferred;
+    LoadedEnvironment environment{.radiance = colorOf(std::move(picture), path), .replaced = 0, .warnings = {}};
     Image& radiance = environment.radiance;
-    if (picture.displayReferred) {
+    if (displayReferred) {
         decodeSrgb(radiance);
         environment.warnings.push_back(path +
                                        ": display-referred, so that nothing is brighter than white; prefer HDR or EXR");

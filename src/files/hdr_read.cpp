@@ -1,14 +1,18 @@
 #include "files/hdr_file.h"
 
 #include "core/error.h"
+#include "core/huge_pages.h"
 #include "files/image_limits.h"
 
 #include <array>
 #include <charconv>
 #include <cmath>
+#include <cstddef>
 #include <cstdint>
+#include <cstring>
 #include <optional>
 #include <string_view>
+#include <vector>
 
 namespace torrance {
 namespace {
@@ -45,6 +49,13 @@ struct Reader
         if (next >= bytes.size())
             fail("the HDR file ends too early");
         return static_cast<std::uint8_t>(bytes[next++]);
+    }
+    std::string_view take(std::size_t count)
+    {
+        if (count > bytes.size() - next)
+            fail("the HDR file ends too early");
+        next += count;
+        return bytes.substr(next - count, count);
     }
     std::string_view line()
     {
@@ -141,76 +152,116 @@ Header readHeader(Reader& reader)
     return header;
 }
 
-// Each of the four bytes of all texels in turn: a count above 128 repeats one byte, below it that many follow.
-void readNewRuns(Reader& reader, std::vector<Rgbe>& line)
+// A scanline, channel after channel.
+struct Line
 {
-    for (std::size_t channel = 0; channel < 4; ++channel)
-        for (std::size_t x = 0; x < line.size();) {
+    std::size_t length;
+    std::array<std::vector<std::uint8_t>, 4> channels;
+
+    explicit Line(std::size_t texels) : length(texels)
+    {
+        for (auto& channel : channels)
+            channel.resize(texels);
+    }
+    void set(std::size_t x, const Rgbe& texel)
+    {
+        for (std::size_t channel = 0; channel < 4; ++channel)
+            channels[channel][x] = texel[channel];
+    }
+};
+
+// Each of the four bytes of all texels in turn: a count above 128 repeats one byte, below it that many follow.
+void readNewRuns(Reader& reader, Line& line)
+{
+    for (std::vector<std::uint8_t>& channel : line.channels)
+        for (std::size_t x = 0; x < channel.size();) {
             const std::size_t code = reader.take();
             const std::size_t count = code > 128 ? code - 128 : code;
-            if (count == 0 || count > line.size() - x)
+            if (count == 0 || count > channel.size() - x)
                 reader.fail("the HDR file has a run past the end of a line");
-            std::uint8_t value = 0;
-            for (std::size_t i = 0; i < count; ++i) {
-                if (i == 0 || code <= 128)
-                    value = reader.take();
-                line[x++][channel] = value;
-            }
+            if (code > 128)
+                std::memset(channel.data() + x, reader.take(), count);
+            else
+                std::memcpy(channel.data() + x, reader.take(count).data(), count);
+            x += count;
         }
 }
 
 // Texels as they are; 1 1 1 n repeats the last one n times, and further such texels in a row count for 256, 65536, ...
 // times.
-void readOldRuns(Reader& reader, std::vector<Rgbe>& line, const Rgbe& first)
+void readOldRuns(Reader& reader, Line& line, const Rgbe& first)
 {
     std::size_t x = 0;
+    Rgbe last = {};
     std::size_t unit = 1;
     for (Rgbe texel = first;;) {
         if (texel[0] == 1 && texel[1] == 1 && texel[2] == 1) {
             const std::size_t count = texel[3] * unit;
-            if (x == 0 || count > line.size() - x)
+            if (x == 0 || count > line.length - x)
                 reader.fail("the HDR file has a run past the end of a line");
             for (std::size_t i = 0; i < count; ++i, ++x)
-                line[x] = line[x - 1];
+                line.set(x, last);
             unit *= 256;
             if (unit > kMaxImageSide * std::size_t(256))
                 reader.fail("the HDR file has an endless run");
         } else {
-            line[x++] = texel;
+            last = texel;
+            line.set(x++, texel);
             unit = 1;
         }
-        if (x == line.size())
+        if (x == line.length)
             return;
         for (std::uint8_t& value : texel)
             value = reader.take();
     }
 }
 
-void readLine(Reader& reader, std::vector<Rgbe>& line)
+void readLine(Reader& reader, Line& line)
 {
     Rgbe first;
     for (std::uint8_t& value : first)
         value = reader.take();
     const bool marked = first[0] == 2 && first[1] == 2 && (first[2] & 0x80) == 0;
-    if (!marked || line.size() < kMinRunLine || line.size() > kMaxRunLine)
+    if (!marked || line.length < kMinRunLine || line.length > kMaxRunLine)
         return readOldRuns(reader, line, first);
-    if ((std::size_t(first[2]) << 8 | first[3]) != line.size())
+    if ((std::size_t(first[2]) << 8 | first[3]) != line.length)
         reader.fail("the HDR file has a line of another length");
     readNewRuns(reader, line);
 }
 
-void storeLine(const std::vector<Rgbe>& line, int number, const Header& header, Image& image)
+// What a mantissa of 1 stands for, by the exponent's byte: its bias is 128, and the mantissa has 8 bits below the
+// point; 0 stands for black.
+const std::array<double, 256>& units()
 {
-    for (std::size_t i = 0; i < line.size(); ++i) {
-        int x = header.columns ? number : static_cast<int>(i);
-        int y = header.columns ? static_cast<int>(i) : number;
-        x = header.fromRight ? header.width - 1 - x : x;
-        y = header.fromBottom ? header.height - 1 - y : y;
-        // The exponent's bias is 128, and the mantissa has 8 bits below the point; exponent 0 stands for black.
-        const double unit = line[i][3] == 0 ? 0.0 : std::ldexp(1.0, line[i][3] - 136);
-        for (std::size_t channel = 0; channel < 3; ++channel)
-            image.at(x, y)[channel] = static_cast<float>(line[i][channel] * unit / header.gain[channel]);
+    static const std::array<double, 256> table = [] {
+        std::array<double, 256> units = {};
+        for (int exponent = 1; exponent < 256; ++exponent)
+            units[static_cast<std::size_t>(exponent)] = std::ldexp(1.0, exponent - 136);
+        return units;
+    }();
+    return table;
+}
+
+// `step` texels apart.
+void storeTexels(const Line& line, const std::array<double, 3>& gain, float* texel, std::ptrdiff_t step)
+{
+    const std::array<double, 256>& unitOf = units();
+    const bool plain = gain == std::array{1.0, 1.0, 1.0}; // division by 1 changes nothing, and takes its time
+    for (std::size_t i = 0; i < line.length; ++i, texel += 3 * step) {
+        const double unit = unitOf[line.channels[3][i]];
+        for (std::size_t channel = 0; channel < 3; ++channel) {
+            const double value = line.channels[channel][i] * unit;
+            texel[channel] = static_cast<float>(plain ? value : value / gain[channel]);
+        }
     }
+}
+
+void storeLine(const Line& line, int number, const Header& header, Image& image)
+{
+    const int x = header.columns ? number : 0, y = header.columns ? 0 : number;
+    float* first = image.at(header.fromRight ? header.width - 1 - x : x, header.fromBottom ? header.height - 1 - y : y);
+    const std::ptrdiff_t alongX = header.fromRight ? -1 : 1, alongY = header.fromBottom ? -header.width : header.width;
+    storeTexels(line, header.gain, first, header.columns ? alongY : alongX);
 }
 
 } // namespace
@@ -228,8 +279,11 @@ Image decodeHdr(std::span<const std::byte> bytes, const std::string& file)
     // The least that a line takes is one texel and its repetition: what is shorter need not be given memory.
     if (bytes.size() - reader.next < std::size_t(4) * static_cast<std::size_t>(lines))
         reader.fail("the HDR file ends too early");
-    Image image(header.width, header.height, 3);
-    std::vector<Rgbe> line(static_cast<std::size_t>(header.columns ? header.height : header.width));
+    Image image;
+    image.width = header.width, image.height = header.height, image.channels = 3;
+    resizeLarge(image.texels,
+                std::size_t(3) * static_cast<std::size_t>(header.width) * static_cast<std::size_t>(header.height));
+    Line line(static_cast<std::size_t>(header.columns ? header.height : header.width));
     for (int number = 0; number < lines; ++number) {
         readLine(reader, line);
         storeLine(line, number, header, image);

@@ -101,13 +101,15 @@ ReadImage readImage(const std::string& path)
     return readThroughOpenImageIo(path);
 }
 
-Image colorOf(const ReadImage& picture, const std::string& path)
+Image colorOf(ReadImage picture, const std::string& path)
 {
     const auto& names = picture.channelNames;
     const auto isColor = [&](std::size_t i) { return i < names.size() && names[i] == kColorNames[i]; };
     const bool colored = isColor(0) && isColor(1) && isColor(2);
     if (!colored && names.size() != 1)
         throw inputError(path, "", "the picture has no channels R, G and B", "write them, or a single channel");
+    if (colored && names.size() == 3)
+        return std::move(picture.image);
     Image color(picture.image.width, picture.image.height, 3);
     const std::size_t stride = names.size();
     for (std::size_t texel = 0; texel < color.texels.size() / 3; ++texel)

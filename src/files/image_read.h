@@ -21,6 +21,6 @@ struct ReadImage
 ReadImage readImage(const std::string& path);
 
 /// The colour of a picture: its R, G and B, or its only channel three times. An Error (input) where it has neither.
-Image colorOf(const ReadImage& picture, const std::string& path);
+Image colorOf(ReadImage picture, const std::string& path);
 
 } // namespace torrance

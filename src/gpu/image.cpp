@@ -1,8 +1,26 @@
 #include "gpu/image.h"
 
 #include "core/error.h"
+#include "core/huge_pages.h"
 
 namespace torrance::gpu {
+namespace {
+
+constexpr vk::DeviceSize kLargeImage = 4 << 20; // holds a large page whole
+
+/// A software driver's memory is the host's, and is touched for the first time when an image is filled.
+void preferHugePagesOnHost(const Device& device, const vk::raii::DeviceMemory& memory, std::uint32_t type,
+                           vk::DeviceSize size)
+{
+    const bool mappable =
+        bool(device.memory.memoryTypes[type].propertyFlags & vk::MemoryPropertyFlagBits::eHostVisible);
+    if (device.description.kind != "CPU" || !mappable || size < kLargeImage)
+        return;
+    preferHugePages(memory.mapMemory(0, VK_WHOLE_SIZE), size);
+    memory.unmapMemory();
+}
+
+} // namespace
 
 bool isDepthFormat(vk::Format format)
 {
@@ -44,6 +62,7 @@ DeviceImage makeImage(const Device& device, const ImageShape& shape, vk::ImageUs
     const vk::MemoryRequirements needs = handle.getMemoryRequirements();
     const std::uint32_t type = device.memoryType(needs.memoryTypeBits, {}, vk::MemoryPropertyFlagBits::eDeviceLocal);
     image.memory = vk::raii::DeviceMemory(device.handle, {.allocationSize = needs.size, .memoryTypeIndex = type});
+    preferHugePagesOnHost(device, image.memory, type, needs.size);
     image.handle = std::move(handle);
     image.handle.bindMemory(*image.memory, 0);
     image.view = vk::raii::ImageView(

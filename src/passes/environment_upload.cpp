@@ -2,10 +2,8 @@
 
 #include "brdf/environment.h"
 #include "brdf/irradiance_window.h"
-#include "gpu/buffer.h"
-#include "gpu/commands.h"
 #include "passes/dfg_upload.h"
-#include "passes/light_cubes.h"
+#include "passes/image_fill.h"
 #include "prepare/irradiance.h"
 #include "prepare/panorama.h"
 #include "prepare/radiance_pyramid.h"
@@ -14,35 +12,6 @@
 
 namespace torrance {
 namespace {
-
-constexpr vk::Format kFloatFormat =
-    vk::Format::eR32G32B32A32Sfloat; // suns of 1e5 and more have no place in half floats
-constexpr std::size_t kTexelBytes = 16;
-
-gpu::DeviceImage upload(const gpu::Device& device, gpu::ImageShape shape, std::span<const std::byte> texels,
-                        const char* name)
-{
-    using Usage = vk::ImageUsageFlagBits;
-    shape.format = kFloatFormat;
-    gpu::DeviceImage image = gpu::makeImage(device, shape, Usage::eSampled | Usage::eTransferDst, name);
-    const gpu::Buffer staging = gpu::makeBuffer(device, texels, vk::BufferUsageFlagBits::eTransferSrc, name);
-    gpu::Commands commands(device);
-    gpu::copyToImage(commands, staging, image, kTexelBytes);
-    commands.submitAndWait();
-    return image;
-}
-
-gpu::DeviceImage uploadCube(const gpu::Device& device, const CubeLevels& cube, const char* name)
-{
-    std::vector<float> texels;
-    for (const std::vector<float>& level : cube.data)
-        texels.insert(texels.end(), level.begin(), level.end());
-    const auto size = static_cast<std::uint32_t>(cube.size);
-    return upload(
-        device,
-        {.width = size, .height = size, .mips = static_cast<std::uint32_t>(cube.levels), .layers = 6, .cube = true},
-        std::as_bytes(std::span(texels)), name);
-}
 
 std::array<vec3, 9> windowed(const std::array<vec3, 9>& harmonics)
 {
@@ -56,15 +25,6 @@ std::array<vec3, 9> windowed(const std::array<vec3, 9>& harmonics)
 
 constexpr std::uintmax_t kMaxCacheBytes = 512u << 20; // some dozen environments
 
-ContentHash contentOf(const Image& radiance)
-{
-    return ContentHasher()
-        .add(radiance.width)
-        .add(radiance.height)
-        .add(std::as_bytes(std::span(radiance.texels)))
-        .finish();
-}
-
 } // namespace
 
 EnvironmentStore::EnvironmentStore(const gpu::Device& d, const std::filesystem::path& folder)
@@ -72,17 +32,13 @@ EnvironmentStore::EnvironmentStore(const gpu::Device& d, const std::filesystem::
 {
 }
 
-const EnvironmentStore::LightCubes& EnvironmentStore::lightCubes(const Image& radiance, const ContentHash& content,
-                                                                 const brdf::Method& specular)
+const LightCubes& EnvironmentStore::lightCubes(const Image& radiance, const ContentHash& content,
+                                               const brdf::Method& specular)
 {
     const std::string key = content.hex() + std::string(specular.ownModel);
     if (const auto found = cubes.find(key); found != cubes.end())
         return found->second;
-    const EnvironmentMaps maps = cachedEnvironmentMaps(specular, radiance, content, cache);
-    return cubes
-        .emplace(key, LightCubes{uploadCube(device, maps.specular, "prefiltered environment"),
-                                 uploadCube(device, maps.irradiance, "irradiance")})
-        .first->second;
+    return cubes.emplace(key, makeLightCubes(device, specular, radiance, content, cache)).first->second;
 }
 
 const gpu::DeviceImage& EnvironmentStore::radianceCube(const Image& radiance, const ContentHash& content)
@@ -91,7 +47,7 @@ const gpu::DeviceImage& EnvironmentStore::radianceCube(const Image& radiance, co
     if (const auto found = radianceCubes.find(key); found != radianceCubes.end())
         return found->second;
     const brdf::Method& splitSum = *brdf::findMethod(brdf::Slot::environmentSpecular, "split_sum");
-    const EnvironmentMaps maps = cachedEnvironmentMaps(splitSum, radiance, content, cache);
+    const EnvironmentMaps maps = keptEnvironmentMaps(splitSum, radiance, content, cache);
     const CubeLevels pyramid = radiancePyramid(maps.specular.data.front(), maps.specular.size);
     return radianceCubes.emplace(key, uploadCube(device, pyramid, "radiance")).first->second;
 }
@@ -101,14 +57,19 @@ const gpu::DeviceImage& EnvironmentStore::panorama(const Image& radiance, const 
     const std::string key = content.hex();
     if (const auto found = panoramas.find(key); found != panoramas.end())
         return found->second;
-    const std::vector<Image> levels = panoramaLevels(radiance);
-    std::vector<float> texels;
-    for (const Image& level : levels)
-        texels.insert(texels.end(), level.texels.begin(), level.texels.end());
-    const gpu::ImageShape shape = {.width = static_cast<std::uint32_t>(radiance.width),
-                                   .height = static_cast<std::uint32_t>(radiance.height),
-                                   .mips = static_cast<std::uint32_t>(levels.size())};
-    return panoramas.emplace(key, upload(device, shape, std::as_bytes(std::span(texels)), "panorama")).first->second;
+    using Usage = vk::ImageUsageFlagBits;
+    PanoramaTexels texels(radiance);
+    gpu::DeviceImage image = gpu::makeImage(device,
+                                            {.width = static_cast<std::uint32_t>(radiance.width),
+                                             .height = static_cast<std::uint32_t>(radiance.height),
+                                             .mips = static_cast<std::uint32_t>(texels.levels()),
+                                             .format = vk::Format::eR32G32B32A32Sfloat},
+                                            Usage::eSampled | Usage::eTransferDst, "panorama");
+    fillImage(device, image, 4 * sizeof(float), [&](std::span<std::byte> to) {
+        texels.next({reinterpret_cast<float*>(to.data()), to.size() / sizeof(float)});
+        return true;
+    });
+    return panoramas.emplace(key, std::move(image)).first->second;
 }
 
 const gpu::DeviceImage* EnvironmentStore::albedoTable(const brdf::Preset& methods)
@@ -150,7 +111,7 @@ EnvironmentImages EnvironmentStore::get(const Scene& scene, const ShadingPlan& p
     EnvironmentImages images;
     if (plan.environmentLight || plan.panorama) {
         const Image& radiance = scene.environment->radiance;
-        const ContentHash content = contentOf(radiance);
+        const ContentHash content = panoramaContent(radiance);
         if (plan.environmentLight)
             addLight(images, radiance, content, plan.settings.methods);
         if (plan.panorama)

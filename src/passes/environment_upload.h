@@ -5,6 +5,7 @@
 #include "core/content_hash.h"
 #include "core/disk_cache.h"
 #include "gpu/image.h"
+#include "passes/light_cubes.h"
 #include "plan/shading_plan.h"
 
 #include <array>
@@ -36,11 +37,6 @@ public:
     EnvironmentImages get(const Scene& scene, const ShadingPlan& plan);
 
 private:
-    struct LightCubes
-    {
-        gpu::DeviceImage specular;
-        gpu::DeviceImage diffuse;
-    };
     void addLight(EnvironmentImages& images, const Image& radiance, const ContentHash& content,
                   const brdf::Preset& methods);
     const LightCubes& lightCubes(const Image& radiance, const ContentHash& content, const brdf::Method& specular);

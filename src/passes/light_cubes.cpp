@@ -1,72 +1,99 @@
 #include "passes/light_cubes.h"
 
+#include "core/data_folder.h"
+#include "passes/image_fill.h"
+
 #include <cstring>
-#include <span>
 
 namespace torrance {
 namespace {
 
-/// A way of making maps. The version changes whenever it would give other numbers for the same panorama, and is never
-/// another's.
-struct Maker
-{
-    EnvironmentMaps (*make)(const Image& panorama);
-    int version;
-};
+constexpr vk::Format kFloatFormat =
+    vk::Format::eR32G32B32A32Sfloat; // suns of 1e5 and more have no place in half floats
+constexpr std::size_t kTexelBytes = 16;
+constexpr const char* kSpecularName = "prefiltered environment";
+constexpr const char* kDiffuseName = "irradiance";
 
-Maker makerFor(const brdf::Method& specular)
+gpu::DeviceImage makeCube(const gpu::Device& device, std::uint32_t size, std::uint32_t levels, const char* name)
 {
-    if (specular.id == "phong_levels")
-        return {&makePhongMaps, 0x10001};
-    if (specular.id == "ggx_levels")
-        return {&makeGgxLevelMaps, 0x20001};
-    return {&makeEnvironmentMaps, 2};
+    using Usage = vk::ImageUsageFlagBits;
+    return gpu::makeImage(
+        device, {.width = size, .height = size, .mips = levels, .layers = 6, .cube = true, .format = kFloatFormat},
+        Usage::eSampled | Usage::eTransferDst, name);
 }
 
-void append(std::vector<float>& out, const CubeLevels& cube)
+/// Nothing where the file turns out to be damaged: what was uploaded is not looked at.
+std::optional<LightCubes> upload(const gpu::Device& device, KeptResult kept)
 {
-    out.push_back(static_cast<float>(cube.size));
-    out.push_back(static_cast<float>(cube.levels));
-    for (const std::vector<float>& level : cube.data)
-        out.insert(out.end(), level.begin(), level.end());
+    const auto shape = readShape(kept);
+    if (!shape)
+        return std::nullopt;
+    LightCubes cubes = {makeCube(device, shape->size, shape->levels, kSpecularName),
+                        makeCube(device, shape->irradianceSize, 1, kDiffuseName)};
+    const auto next = [&](std::span<std::byte> to) { return kept.read(to); };
+    const bool whole = fillImage(device, cubes.specular, kTexelBytes, next) &&
+                       fillImage(device, cubes.diffuse, kTexelBytes, next) && kept.isIntact();
+    return whole ? std::optional(std::move(cubes)) : std::nullopt;
 }
 
-// The checksum of the cache says that these are the numbers that were stored: no more needs to be tested here.
-CubeLevels take(const std::vector<float>& numbers, std::size_t& at)
+/// What `use` makes of the first file that keeps the maps undamaged.
+template <typename Use>
+auto fromKept(const ContentHash& key, const DiskCache& cache, const Use& use) -> decltype(use(*cache.open(key)))
 {
-    CubeLevels cube = {
-        .size = static_cast<int>(numbers.at(at)), .levels = static_cast<int>(numbers.at(at + 1)), .data = {}};
-    at += 2;
-    for (int level = 0; level < cube.levels; ++level) {
-        const auto side = static_cast<std::size_t>(cube.size >> level);
-        const std::size_t count = 6 * side * side * 4;
-        const auto first = numbers.begin() + static_cast<std::ptrdiff_t>(at);
-        cube.data.emplace_back(first, first + static_cast<std::ptrdiff_t>(count));
-        at += count;
-    }
-    return cube;
+    if (auto shipped = openResult(dataFolder() / "prefiltered" / key.hex(), key))
+        if (auto result = use(std::move(*shipped)))
+            return result;
+    if (auto cached = cache.open(key))
+        return use(std::move(*cached));
+    return std::nullopt;
+}
+
+EnvironmentMaps makeAndKeep(const brdf::Method& specular, const Image& radiance, const ContentHash& key,
+                            DiskCache& cache)
+{
+    EnvironmentMaps maps = makeMaps(specular, radiance);
+    cache.store(key, KeptForm(maps).parts());
+    return maps;
 }
 
 } // namespace
 
-EnvironmentMaps cachedEnvironmentMaps(const brdf::Method& specular, const Image& radiance, const ContentHash& content,
-                                      DiskCache& cache)
+gpu::DeviceImage uploadCube(const gpu::Device& device, const CubeLevels& cube, const char* name)
 {
-    const Maker maker = makerFor(specular);
-    const ContentHash key = ContentHasher().add(content.high).add(content.low).add(maker.version).finish();
-    if (const auto bytes = cache.load(key)) {
-        std::vector<float> numbers(bytes->size() / sizeof(float));
-        std::memcpy(numbers.data(), bytes->data(), numbers.size() * sizeof(float));
-        std::size_t at = 0;
-        CubeLevels specularLevels = take(numbers, at);
-        return {.specular = std::move(specularLevels), .irradiance = take(numbers, at)};
-    }
-    EnvironmentMaps maps = maker.make(radiance);
-    std::vector<float> numbers;
-    append(numbers, maps.specular);
-    append(numbers, maps.irradiance);
-    cache.store(key, std::as_bytes(std::span(numbers)));
-    return maps;
+    gpu::DeviceImage image =
+        makeCube(device, static_cast<std::uint32_t>(cube.size), static_cast<std::uint32_t>(cube.levels), name);
+    std::size_t level = 0, done = 0; // bytes of it
+    fillImage(device, image, kTexelBytes, [&](std::span<std::byte> to) {
+        while (!to.empty()) {
+            const auto left = std::as_bytes(std::span(cube.data[level])).subspan(done);
+            const std::size_t count = std::min(left.size(), to.size());
+            std::memcpy(to.data(), left.data(), count);
+            to = to.subspan(count);
+            done = count == left.size() ? 0 : done + count;
+            level += done == 0;
+        }
+        return true;
+    });
+    return image;
+}
+
+LightCubes makeLightCubes(const gpu::Device& device, const brdf::Method& specular, const Image& radiance,
+                          const ContentHash& content, DiskCache& cache)
+{
+    const ContentHash key = mapsKey(specular, content);
+    if (auto kept = fromKept(key, cache, [&](KeptResult file) { return upload(device, std::move(file)); }))
+        return std::move(*kept);
+    const EnvironmentMaps maps = makeAndKeep(specular, radiance, key, cache);
+    return {uploadCube(device, maps.specular, kSpecularName), uploadCube(device, maps.irradiance, kDiffuseName)};
+}
+
+EnvironmentMaps keptEnvironmentMaps(const brdf::Method& specular, const Image& radiance, const ContentHash& content,
+                                    DiskCache& cache)
+{
+    const ContentHash key = mapsKey(specular, content);
+    if (auto kept = fromKept(key, cache, [](KeptResult file) { return readMaps(std::move(file)); }))
+        return std::move(*kept);
+    return makeAndKeep(specular, radiance, key, cache);
 }
 
 } // namespace torrance

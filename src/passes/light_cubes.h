@@ -1,15 +1,26 @@
-// The cubes that light a scene, out of the cache where it has them.
+// The cubes that light a scene, out of the files that keep them where there are such.
 #pragma once
 
-#include "brdf/method.h"
-#include "core/disk_cache.h"
-#include "prepare/environment_maps.h"
+#include "gpu/image.h"
+#include "prepare/kept_maps.h"
 
 namespace torrance {
 
-/// The maps that the method of the slot environment_specular looks up, kept in `cache` under the panorama's content and
-/// the way of making them.
-EnvironmentMaps cachedEnvironmentMaps(const brdf::Method& specular, const Image& radiance, const ContentHash& content,
-                                      DiskCache& cache);
+struct LightCubes
+{
+    gpu::DeviceImage specular;
+    gpu::DeviceImage diffuse;
+};
+
+/// The maps of the method of the slot environment_specular: shipped with the program, or out of the cache, or made and
+/// kept there. `content` is the panorama's.
+LightCubes makeLightCubes(const gpu::Device& device, const brdf::Method& specular, const Image& radiance,
+                          const ContentHash& content, DiskCache& cache);
+
+/// The same in the host's memory.
+EnvironmentMaps keptEnvironmentMaps(const brdf::Method& specular, const Image& radiance, const ContentHash& content,
+                                    DiskCache& cache);
+
+gpu::DeviceImage uploadCube(const gpu::Device& device, const CubeLevels& cube, const char* name);
 
 } // namespace torrance

@@ -13,6 +13,38 @@ constexpr double kGreatestSide = 0.1;
 /// Lobes wider than this see suns on the horizon bright enough for the sun's shape to count.
 constexpr double kHorizonAlpha = 0.3;
 
+/// cos / (alpha^2 + (1 - alpha^2) sin^2(theta / 2))^2.
+struct Whole
+{
+    float a2, rest; // rest = 1 - a2
+
+    TORRANCE_INLINE Lanes operator()(const Receivers& receivers, const CubeNode& point) const
+    {
+        const Lanes q = receivers.halfSine2(point), d = a2 + rest * q;
+        return (1.0f - 2.0f * q) / (d * d);
+    }
+};
+
+/// The same by the cosine, as sin^2(theta / 2) = (1 - cos) / 2, of a patch that the horizon may cut.
+struct AtHorizon
+{
+    float A, B; // (1 + alpha^2) / 2, (1 - alpha^2) / 2
+
+    TORRANCE_INLINE Lanes operator()(const Receivers& receivers, const CubeNode& point) const
+    {
+        const Lanes cosine = receivers.cosine(point), d = A - B * cosine;
+        return clampedCosine(cosine, point.spread) / (d * d);
+    }
+};
+
+ZonalKernel<Whole, AtHorizon> ggxKernel(double alpha)
+{
+    const double a2 = alpha * alpha;
+    return {{static_cast<float>(a2), static_cast<float>(1.0 - a2)},
+            {static_cast<float>(0.5 * (1.0 + a2)), static_cast<float>(0.5 * (1.0 - a2))},
+            ggxKernelIntegral(alpha)};
+}
+
 } // namespace
 
 double ggxKernelIntegral(double alpha)
@@ -28,20 +60,13 @@ double ggxKernelIntegral(double alpha)
 
 std::vector<float> prefilterLevel(const CubeTree& base, const CubeTree& excess, int size, double alpha)
 {
-    const auto a2 = static_cast<float>(alpha * alpha);
     const Opening ofBaseNodes = {
         .width = static_cast<float>(2.0 * alpha), // theta at which the lobe's denominator has doubled
         .greatestSide = static_cast<float>(kGreatestSide / std::sqrt(alpha)),
-        .leavesAtHorizon = false,
-        .skipDark = false};
+        .leavesAtHorizon = false};
     Opening ofExcessNodes = ofBaseNodes;
     ofExcessNodes.leavesAtHorizon = alpha > kHorizonAlpha;
-    ofExcessNodes.skipDark = true;
-    const auto kernel = [a2](float q, float spread) {
-        const float d = a2 + (1.0f - a2) * q;
-        return clampedCosine(1.0f - 2.0f * q, spread) / (d * d);
-    };
-    return zonalMeans(base, excess, size, {ofBaseNodes, ofExcessNodes}, ggxKernelIntegral(alpha), kernel);
+    return zonalMeans(base, excess, size, {ofBaseNodes, ofExcessNodes}, ggxKernel(alpha));
 }
 
 } // namespace torrance

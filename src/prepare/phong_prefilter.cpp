@@ -34,16 +34,22 @@ public:
         cellsPerUnit = static_cast<float>(kCells) / end;
     }
 
-    float operator()(float q) const
+    TORRANCE_INLINE Lanes operator()(const Lanes& q) const
     {
-        const float x = std::min(q * cellsPerUnit, static_cast<float>(kCells));
-        const int cell = std::min(static_cast<int>(x), kCells - 1);
-        const float left = nodes[static_cast<std::size_t>(cell)], right = nodes[static_cast<std::size_t>(cell) + 1];
-        return left + (right - left) * (x - static_cast<float>(cell));
+        const Lanes last = Lanes{} + static_cast<float>(kCells);
+        Lanes x = q * cellsPerUnit;
+        x = x < last ? x : last;
+        IntLanes cell = __builtin_convertvector(x, IntLanes);
+        cell = cell < kCells ? cell : IntLanes{} + (kCells - 1);
+        Lanes left, right;
+        for (int i = 0; i < kLanes; ++i) {
+            left[i] = nodes[static_cast<std::size_t>(cell[i])];
+            right[i] = nodes[static_cast<std::size_t>(cell[i]) + 1];
+        }
+        return left + (right - left) * (x - __builtin_convertvector(cell, Lanes));
     }
 
     float chord() const { return 2.0f * std::sqrt(end); }
-    bool endsAboveHorizon() const { return end < 0.49f; }
 
 private:
     static double lastCosine(double exponent) { return exponent > 0.0 ? std::pow(kEnd, 1.0 / exponent) : 0.0; }
@@ -52,6 +58,30 @@ private:
     float end; // q
     float cellsPerUnit = 0.0f;
     std::array<float, kCells + 1> nodes{};
+};
+
+struct Whole
+{
+    const CosinePower& power;
+
+    TORRANCE_INLINE Lanes operator()(const Receivers& receivers, const CubeNode& point) const
+    {
+        return power(receivers.halfSine2(point));
+    }
+};
+
+struct CutByHorizon
+{
+    const CosinePower& power;
+
+    TORRANCE_INLINE Lanes operator()(const Receivers& receivers, const CubeNode& point) const
+    {
+        const Lanes none = {}, whole = none + 1.0f, q = receivers.halfSine2(point);
+        Lanes risen = 0.5f + (0.5f - q) / point.spread; // the share of the patch that is above
+        risen = risen > none ? risen : none;
+        risen = risen < whole ? risen : whole;
+        return power(q) * risen;
+    }
 };
 
 } // namespace
@@ -63,21 +93,12 @@ std::vector<float> phongLevel(const CubeTree& base, const CubeTree& excess, int 
     const Opening ofBaseNodes = {.width = 4.0f, // greatestSide decides alone
                                  .greatestSide = static_cast<float>(std::min(kGreatestSide, kSideOfWidth * width)),
                                  .leavesAtHorizon = false,
-                                 .skipDark = false,
                                  .end = power.chord()};
     Opening ofExcessNodes = ofBaseNodes;
     ofExcessNodes.greatestSide = static_cast<float>(std::min(kGreatestSide, kExcessSideOfWidth * width));
     ofExcessNodes.leavesAtHorizon = exponent < kHorizonExponent;
-    ofExcessNodes.skipDark = true;
-    const Openings openings = {ofBaseNodes, ofExcessNodes};
-    const double integral = 2.0 * kPi / (exponent + 1.0);
-    if (power.endsAboveHorizon())
-        return zonalMeans(base, excess, size, openings, integral, [&power](float q, float) { return power(q); });
-    const auto cutByHorizon = [&power](float q, float spread) {
-        const float risen = 0.5f + (0.5f - q) / spread; // the share of the patch that is above
-        return power(q) * std::min(std::max(risen, 0.0f), 1.0f);
-    };
-    return zonalMeans(base, excess, size, openings, integral, cutByHorizon);
+    const ZonalKernel<Whole, CutByHorizon> kernel = {{power}, {power}, 2.0 * kPi / (exponent + 1.0)};
+    return zonalMeans(base, excess, size, {ofBaseNodes, ofExcessNodes}, kernel);
 }
 
 } // namespace torrance

@@ -14,12 +14,12 @@ namespace torrance {
 struct RadianceCube
 {
     int size = 0;
-    std::vector<CubeNode> base;   // per texel: direction of its centre, energy = radiance * solid angle
-    std::vector<CubeNode> excess; // per texel: energy-weighted direction of what was deposited
-    std::vector<float> radiance;  // base + excess as 6 * size^2 RGBA texels
+    CubeLeaves base;             // of all texels: direction of its centre, energy = radiance * solid angle
+    CubeLeaves excess;           // of some: energy-weighted direction of what was deposited
+    std::vector<float> radiance; // base + excess as 6 * size^2 RGBA texels
 };
 
-/// `size` is a power of two.
+/// `size` is a power of two, at least 2.
 RadianceCube makeRadianceCube(const Image& panorama, int size);
 
 } // namespace torrance

@@ -5,17 +5,24 @@
 #include <algorithm>
 
 namespace torrance {
-
-ReceiverBlock::ReceiverBlock(int face, int firstX, int firstY, int size) : radius(0.0f)
+Cap capOfTexels(int face, int firstX, int firstY, int side, int size)
 {
-    const double middleA = cubeTexelCentre(firstX, size) + (kBlockSide - 1.0) / size;
-    const double middleB = cubeTexelCentre(firstY, size) + (kBlockSide - 1.0) / size;
-    centre = vec3(glm::normalize(cubeVector(face, middleA, middleB)));
+    const double middleA = cubeTexelCentre(firstX, size) + (side - 1.0) / size;
+    const double middleB = cubeTexelCentre(firstY, size) + (side - 1.0) / size;
+    Cap cap = {vec3(glm::normalize(cubeVector(face, middleA, middleB))), 0.0f};
+    for (const int y : {firstY, firstY + side - 1}) // a corner is the farthest
+        for (const int x : {firstX, firstX + side - 1})
+            cap.radius = std::max(cap.radius, glm::length(vec3(cubeTexelDirection(face, x, y, size)) - cap.centre));
+    return cap;
+}
+
+ReceiverBlock::ReceiverBlock(int face, int firstX, int firstY, int size)
+    : cap(capOfTexels(face, firstX, firstY, kBlockSide, size))
+{
     for (std::size_t t = 0; t < kCount; ++t) {
         const vec3 d(cubeTexelDirection(face, firstX + static_cast<int>(t) % kBlockSide,
                                         firstY + static_cast<int>(t) / kBlockSide, size));
         x[t] = d.x, y[t] = d.y, z[t] = d.z;
-        radius = std::max(radius, glm::length(d - centre));
     }
 }
 
