@@ -2,15 +2,12 @@
 
 #include "gpu/buffer.h"
 #include "gpu/commands.h"
-#include "image/srgb.h"
-#include "math/half.h"
 #include "passes/sampler.h"
+#include "prepare/texture_levels.h"
 
+#include <algorithm>
 #include <array>
-#include <bit>
 #include <cmath>
-#include <cstring>
-#include <set>
 
 namespace torrance {
 namespace {
@@ -24,80 +21,32 @@ struct Texels
     std::vector<std::byte> bytes;
 };
 
-// There is no 16-bit sRGB format: the curve is undone here, in float, so that filtering happens in linear light.
-void appendDecodedWide(std::vector<std::byte>& bytes, const TextureImage& level)
+vk::Format formatOf(TexelStorage storage)
 {
-    std::vector<float> linear(level.texels.size() / sizeof(std::uint16_t));
-    for (std::size_t i = 0; i < linear.size(); ++i) {
-        std::uint16_t stored;
-        std::memcpy(&stored, level.texels.data() + i * sizeof stored, sizeof stored);
-        const double value = stored / 65535.0;
-        linear[i] = static_cast<float>(i % 4 == 3 ? value : srgbDecode(value));
-    }
-    const auto view = std::as_bytes(std::span(linear));
-    bytes.insert(bytes.end(), view.begin(), view.end());
-}
-
-using HalfTable = std::array<std::uint16_t, 256>;
-
-template <typename Decode>
-HalfTable halfTable(const Decode& decode)
-{
-    HalfTable table;
-    for (std::size_t code = 0; code < table.size(); ++code)
-        table[code] = toHalf(static_cast<float>(decode(static_cast<double>(code) / 255.0)));
-    return table;
-}
-
-// 8-bit colours become linear halves, within 2^-12 of the exact curve: lavapipe's own decoding of an sRGB format is a
-// polynomial, off by 1e-3 in the middle of the curve and by 1e-2 in the dark (tests/image/surfaces.cpp). As fast to
-// sample as an sRGB format, at twice the memory.
-void appendDecoded(std::vector<std::byte>& bytes, const TextureImage& level)
-{
-    static const HalfTable colors = halfTable([](double v) { return srgbDecode(v); });
-    static const HalfTable alphas = halfTable([](double v) { return v; });
-    std::vector<std::uint16_t> linear(level.texels.size());
-    for (std::size_t i = 0; i < linear.size(); ++i)
-        linear[i] = (i % 4 == 3 ? alphas : colors)[static_cast<std::size_t>(level.texels[i])];
-    const auto view = std::as_bytes(std::span(linear));
-    bytes.insert(bytes.end(), view.begin(), view.end());
-}
-
-void appendStored(std::vector<std::byte>& bytes, const TextureImage& level)
-{
-    bytes.insert(bytes.end(), level.texels.begin(), level.texels.end());
-}
-
-// How a kind of texture lies on the device.
-struct Storage
-{
-    vk::Format format;
-    std::size_t bytesPerTexel;
-    void (*append)(std::vector<std::byte>&, const TextureImage&);
-};
-
-Storage storageOf(TexelFormat format, TexelContent content)
-{
-    const bool wide = format == TexelFormat::rgba16;
-    if (content == TexelContent::color)
-        return wide ? Storage{vk::Format::eR32G32B32A32Sfloat, 16, appendDecodedWide}
-                    : Storage{vk::Format::eR16G16B16A16Sfloat, 8, appendDecoded};
-    return {wide ? vk::Format::eR16G16B16A16Unorm : vk::Format::eR8G8B8A8Unorm, bytesPerTexel(format), appendStored};
+    constexpr std::array kFormats = {vk::Format::eR8G8B8A8Unorm, vk::Format::eR16G16B16A16Unorm,
+                                     vk::Format::eR16G16B16A16Sfloat, vk::Format::eR32G32B32A32Sfloat};
+    return kFormats[static_cast<std::size_t>(storage)];
 }
 
 Texels makeTexels(const TextureImage& image, const MipRule& rule, bool mips)
 {
-    std::vector<TextureImage> levels;
-    if (mips)
-        levels = makeMips(image, rule);
-    const Storage storage = storageOf(image.format, rule.content);
-    Texels texels = {.format = storage.format,
-                     .bytesPerTexel = storage.bytesPerTexel,
-                     .mips = static_cast<std::uint32_t>(1 + levels.size()),
+    const TexelStorage storage = storageOf(image.format, rule);
+    Texels texels = {.format = formatOf(storage),
+                     .bytesPerTexel = bytesPerTexel(storage),
+                     .mips = mips ? static_cast<std::uint32_t>(mipCount(image.width, image.height)) : 1,
                      .bytes = {}};
-    storage.append(texels.bytes, image);
-    for (const TextureImage& level : levels)
-        storage.append(texels.bytes, level);
+    std::vector<std::size_t> offsets, pitches;
+    std::size_t size = 0;
+    for (std::uint32_t level = 0; level < texels.mips; ++level) {
+        pitches.push_back(static_cast<std::size_t>(std::max(1, image.width >> level)) * texels.bytesPerTexel);
+        offsets.push_back(size);
+        size += pitches.back() * static_cast<std::size_t>(std::max(1, image.height >> level));
+    }
+    texels.bytes.resize(size);
+    std::vector<LevelMemory> levels;
+    for (std::size_t level = 0; level < offsets.size(); ++level)
+        levels.push_back({texels.bytes.data() + offsets[level], pitches[level]});
+    writeLevels(image, rule, levels);
     return texels;
 }
 
@@ -156,14 +105,10 @@ Textures::Textures(const gpu::Device& device, const Scene& scene, const ShadingP
     const bool lengths = plan.settings.methods.specularAntialiasing->id == "toksvig";
     for (const auto& [use, need] : needs) {
         const TextureImage& source = scene.images[static_cast<std::size_t>(use.first)];
-        if (lengths && use.second == TexelContent::normal)
-            images.emplace(use, upload(device, source,
-                                       makeTexels(wideNormals(source), {.content = use.second, .lengthInAlpha = true},
-                                                  need.mips)));
-        else
-            images.emplace(
-                use, upload(device, source,
-                            makeTexels(source, {.content = use.second, .weighByAlpha = need.alphaMatters}, need.mips)));
+        const MipRule rule = {.content = use.second,
+                              .weighByAlpha = need.alphaMatters && use.second == TexelContent::color,
+                              .lengthInAlpha = lengths && use.second == TexelContent::normal};
+        images.emplace(use, upload(device, source, makeTexels(source, rule, need.mips)));
     }
 }
 
