@@ -57,16 +57,23 @@ void throwCorrupt(const TextureSource& source, const std::string& problem)
 
 TextureImage decodeTexture(std::span<const std::byte> bytes, const std::string& name, const std::string& file)
 {
+    DecodeScratch scratch;
+    return decodeTexture(bytes, name, file, scratch);
+}
+
+TextureImage decodeTexture(std::span<const std::byte> bytes, const std::string& name, const std::string& file,
+                           DecodeScratch& scratch)
+{
     const TextureSource source{name, file};
     if (bytes.empty())
         throwCorrupt(source, "the image is empty");
     switch (kindOf(bytes)) {
     case Kind::png:
-        return decodePng(bytes, source);
+        return decodePng(bytes, source, scratch);
     case Kind::jpeg:
-        return decodeJpeg(bytes, source);
+        return decodeJpeg(bytes, source, scratch);
     case Kind::webp:
-        return decodeWebp(bytes, source);
+        return decodeWebp(bytes, source, scratch);
     case Kind::unknown:
         break;
     }

@@ -44,7 +44,7 @@ bool isHarmless(std::string_view warning)
 
 } // namespace
 
-TextureImage decodeJpeg(std::span<const std::byte> bytes, const TextureSource& source)
+TextureImage decodeJpeg(std::span<const std::byte> bytes, const TextureSource& source, DecodeScratch& scratch)
 {
     const Decoder decoder = makeDecoder();
     Header header;
@@ -56,7 +56,7 @@ TextureImage decodeJpeg(std::span<const std::byte> bytes, const TextureSource& s
 
     TextureImage image{.name = source.name, .width = header.width, .height = header.height, .texels = {}};
     const std::size_t rowBytes = static_cast<std::size_t>(header.width) * bytesPerTexel(image.format);
-    image.texels.resize(rowBytes * static_cast<std::size_t>(header.height));
+    image.texels = scratch.takeTexels(rowBytes * static_cast<std::size_t>(header.height));
     // LIMITSCANS: a progressive file of many empty scans would take for ever.
     const int status =
         tjDecompress2(decoder.get(), data(bytes), bytes.size(), reinterpret_cast<unsigned char*>(image.texels.data()),

@@ -13,7 +13,7 @@ const std::uint8_t* data(std::span<const std::byte> bytes)
 
 } // namespace
 
-TextureImage decodeWebp(std::span<const std::byte> bytes, const TextureSource& source)
+TextureImage decodeWebp(std::span<const std::byte> bytes, const TextureSource& source, DecodeScratch& scratch)
 {
     WebPBitstreamFeatures features = {};
     if (WebPGetFeatures(data(bytes), bytes.size(), &features) != VP8_STATUS_OK)
@@ -24,7 +24,7 @@ TextureImage decodeWebp(std::span<const std::byte> bytes, const TextureSource& s
 
     TextureImage image{.name = source.name, .width = features.width, .height = features.height, .texels = {}};
     const std::size_t rowBytes = static_cast<std::size_t>(features.width) * bytesPerTexel(image.format);
-    image.texels.resize(rowBytes * static_cast<std::size_t>(features.height));
+    image.texels = scratch.takeTexels(rowBytes * static_cast<std::size_t>(features.height));
     // Straight alpha, one where the file has none.
     if (WebPDecodeRGBAInto(data(bytes), bytes.size(), reinterpret_cast<std::uint8_t*>(image.texels.data()),
                            image.texels.size(), static_cast<int>(rowBytes)) == nullptr)
