@@ -122,33 +122,44 @@ PngLayout layoutOf(const PngReader& reader)
     return layout;
 }
 
-} // namespace
-
-TextureImage decodePng(std::span<const std::byte> bytes, const TextureSource& source, DecodeScratch& scratch)
+/// Reads up to the texels: what they are, and none of them.
+TextureImage readUpToTexels(PngReader& reader, std::size_t fileBytes, const TextureSource& source)
 {
-    PngReader reader(bytes);
     check(readHeader(reader), reader, source);
     const png_uint_32 width = png_get_image_width(reader.png, reader.info);
     const png_uint_32 height = png_get_image_height(reader.png, reader.info);
     checkTextureSize(width, height, source);
     const unsigned long long storedBytes = png_get_rowbytes(reader.png, reader.info) * 1ull * height;
-    if (storedBytes / kMaxDeflateRatio > bytes.size())
+    if (storedBytes / kMaxDeflateRatio > fileBytes)
         throwCorrupt(source, "the PNG is corrupt: the file ends too early");
+    return {.name = source.name,
+            .width = static_cast<int>(width),
+            .height = static_cast<int>(height),
+            .format = png_get_bit_depth(reader.png, reader.info) == 16 ? TexelFormat::rgba16 : TexelFormat::rgba8,
+            .texels = {}};
+}
 
-    const PngLayout layout = layoutOf(reader);
-    const bool sixteenBits = layout.bitDepth == 16;
-    TextureImage image{.name = source.name,
-                       .width = static_cast<int>(width),
-                       .height = static_cast<int>(height),
-                       .format = sixteenBits ? TexelFormat::rgba16 : TexelFormat::rgba8,
-                       .texels = {}};
-    const std::size_t rowBytes = width * bytesPerTexel(image.format);
+} // namespace
+
+TextureImage pngHeader(std::span<const std::byte> bytes, const TextureSource& source)
+{
+    PngReader reader(bytes);
+    return readUpToTexels(reader, bytes.size(), source);
+}
+
+TextureImage decodePng(std::span<const std::byte> bytes, const TextureSource& source, DecodeScratch& scratch)
+{
+    PngReader reader(bytes);
+    TextureImage image = readUpToTexels(reader, bytes.size(), source);
+    const auto height = static_cast<std::size_t>(image.height);
+    const std::size_t rowBytes = static_cast<std::size_t>(image.width) * bytesPerTexel(image.format);
     image.texels = scratch.takeTexels(rowBytes * height);
     constexpr std::size_t kChunkHeader = 8; // of the first IDAT, which has been read
-    if (readPngTexels(layout, {reader.next - kChunkHeader, reader.left + kChunkHeader}, scratch, image.texels.data()))
+    if (readPngTexels(layoutOf(reader), {reader.next - kChunkHeader, reader.left + kChunkHeader}, scratch,
+                      image.texels.data()))
         return image;
 
-    check(setTransforms(reader, sixteenBits), reader, source);
+    check(setTransforms(reader, image.format == TexelFormat::rgba16), reader, source);
     if (png_get_rowbytes(reader.png, reader.info) != rowBytes)
         throwCorrupt(source, "the PNG has a layout of channels that is not known");
     std::vector<png_bytep> rows(height);
