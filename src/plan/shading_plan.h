@@ -9,6 +9,7 @@
 #include "scene/scene.h"
 
 #include <array>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -63,6 +64,8 @@ struct ShadingPlan
 
 /// Throws Error (usage) where methods are combined that no table was made for.
 ShadingPlan makePlan(const Scene& scene, const Settings& settings);
+/// The same where the facts of the scene's images are known: their texels are not looked at.
+ShadingPlan makePlan(const Scene& scene, std::span<const TexelFacts> facts, const Settings& settings);
 
 /// Whether a punctual light's part needs the table of directional albedos.
 bool readsAlbedo(const brdf::Preset& methods, bool compensates);
