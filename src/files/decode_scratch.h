@@ -2,6 +2,8 @@
 // much as a third of decoding.
 #pragma once
 
+#include "core/huge_pages.h"
+
 #include <cstddef>
 #include <memory>
 #include <vector>
@@ -17,6 +19,7 @@ public:
         if (size > capacity) {
             bytes.reset(); // before the new ones are taken
             bytes = std::make_unique_for_overwrite<std::byte[]>(size);
+            preferHugePages(bytes.get(), size);
             capacity = size;
         }
         return bytes.get();
@@ -36,7 +39,7 @@ struct DecodeScratch
     std::vector<std::byte> takeTexels(std::size_t size)
     {
         std::vector<std::byte> taken = std::move(texels);
-        taken.resize(size);
+        resizeLarge(taken, size);
         return taken;
     }
 };
