@@ -1,5 +1,6 @@
 #include "files/png_filters.h"
 
+#include <algorithm>
 #include <cstdlib>
 #include <cstring>
 
@@ -97,21 +98,39 @@ __m128i chosen(__m128i mask, __m128i ifSet, __m128i otherwise)
     return _mm_or_si128(_mm_and_si128(mask, ifSet), _mm_andnot_si128(mask, otherwise));
 }
 
+/// Paeth's predictor of eight bytes, widened to 16 bits.
+__m128i paeth(__m128i left, __m128i above, __m128i aboveLeft)
+{
+    const __m128i beside = _mm_sub_epi16(above, aboveLeft), over = _mm_sub_epi16(left, aboveLeft);
+    const __m128i toLeft = absolute(beside), toAbove = absolute(over);
+    const __m128i toAboveLeft = absolute(_mm_add_epi16(beside, over));
+    const __m128i nearest = _mm_min_epi16(toAboveLeft, _mm_min_epi16(toLeft, toAbove));
+    return chosen(_mm_cmpeq_epi16(nearest, toLeft), left, chosen(_mm_cmpeq_epi16(nearest, toAbove), above, aboveLeft));
+}
+
 struct Paeth
 {
     __m128i operator()(__m128i left, __m128i above, __m128i aboveLeft) const
     {
         const auto wide = [](__m128i pixel) { return _mm_unpacklo_epi8(pixel, _mm_setzero_si128()); };
-        const __m128i a = wide(left), b = wide(above), c = wide(aboveLeft);
-        const __m128i beside = _mm_sub_epi16(b, c), over = _mm_sub_epi16(a, c);
-        const __m128i toLeft = absolute(beside), toAbove = absolute(over);
-        const __m128i toAboveLeft = absolute(_mm_add_epi16(beside, over));
-        const __m128i nearest = _mm_min_epi16(toAboveLeft, _mm_min_epi16(toLeft, toAbove));
-        const __m128i choice =
-            chosen(_mm_cmpeq_epi16(nearest, toLeft), a, chosen(_mm_cmpeq_epi16(nearest, toAbove), b, c));
+        const __m128i choice = paeth(wide(left), wide(above), wide(aboveLeft));
         return _mm_packus_epi16(choice, choice);
     }
 };
+
+__m128i load16(const std::uint8_t* at)
+{
+    return _mm_loadu_si128(reinterpret_cast<const __m128i*>(at));
+}
+
+/// Paeth's predictor of sixteen bytes.
+__m128i paethOf16(__m128i left, __m128i above, __m128i aboveLeft)
+{
+    const __m128i zero = _mm_setzero_si128();
+    return _mm_packus_epi16(
+        paeth(_mm_unpacklo_epi8(left, zero), _mm_unpacklo_epi8(above, zero), _mm_unpacklo_epi8(aboveLeft, zero)),
+        paeth(_mm_unpackhi_epi8(left, zero), _mm_unpackhi_epi8(above, zero), _mm_unpackhi_epi8(aboveLeft, zero)));
+}
 
 template <std::size_t kChannels, typename Predict>
 void undoToRgba(const std::byte* row, const std::byte* above, std::size_t pixels, std::byte* rgba,
@@ -172,5 +191,22 @@ void undoPngFilterToRgba(PngFilter filter, const std::byte* row, const std::byte
 }
 
 #endif
+
+void filterByPaeth(const std::uint8_t* row, const std::uint8_t* above, std::size_t rowBytes, std::size_t pixelBytes,
+                   std::byte* filtered)
+{
+    std::size_t i = 0;
+    for (; i < std::min(pixelBytes, rowBytes); ++i)
+        filtered[i] = static_cast<std::byte>(row[i] - above[i]);
+#ifdef __SSE2__
+    for (; i + 16 <= rowBytes; i += 16) {
+        const __m128i predicted =
+            paethOf16(load16(row + i - pixelBytes), load16(above + i), load16(above + i - pixelBytes));
+        _mm_storeu_si128(reinterpret_cast<__m128i*>(filtered + i), _mm_sub_epi8(load16(row + i), predicted));
+    }
+#endif
+    for (; i < rowBytes; ++i)
+        filtered[i] = static_cast<std::byte>(row[i] - paeth(row[i - pixelBytes], above[i], above[i - pixelBytes]));
+}
 
 } // namespace torrance

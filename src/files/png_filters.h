@@ -1,4 +1,4 @@
-// The filters of PNG undone, row by row (PNG specification, chapter 9).
+// The filters of PNG, row by row (PNG specification, chapter 9).
 #pragma once
 
 #include <cstddef>
@@ -24,5 +24,9 @@ void undoPngFilter(PngFilter filter, std::byte* row, const std::byte* above, std
 /// `above` is of that form too: zeros with the alpha that the picture's has where it has none.
 void undoPngFilterToRgba(PngFilter filter, const std::byte* row, const std::byte* above, std::size_t pixels,
                          std::size_t channels, std::byte* rgba);
+
+/// The differences of a row to what Paeth's predictor makes of its neighbours. `above` is the row before, or zeros.
+void filterByPaeth(const std::uint8_t* row, const std::uint8_t* above, std::size_t rowBytes, std::size_t pixelBytes,
+                   std::byte* filtered);
 
 } // namespace torrance

@@ -2,8 +2,10 @@
 // scalar operation gives.
 #pragma once
 
+#include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <type_traits>
 
 #ifdef __SSE2__
 #include <emmintrin.h>
@@ -36,6 +38,40 @@ inline Float4 greatest(Float4 a, Float4 b)
 #else
     return a < b ? b : a;
 #endif
+}
+
+// The same of one number, for formulas that are written for both.
+
+template <typename T>
+requires std::is_floating_point_v<T> T least(T a, T b)
+{
+    return std::min(a, b);
+}
+
+template <typename T>
+requires std::is_floating_point_v<T> T greatest(T a, T b)
+{
+    return std::max(a, b);
+}
+
+inline bool all(bool holds)
+{
+    return holds;
+}
+
+/// Whether all lanes of a comparison hold.
+inline bool all(Int4 mask)
+{
+#ifdef __SSE2__
+    return _mm_movemask_epi8(__m128i(mask)) == 0xffff;
+#else
+    return (mask[0] & mask[1] & mask[2] & mask[3]) != 0;
+#endif
+}
+
+inline Float4 load4(const float* from)
+{
+    return Float4{from[0], from[1], from[2], from[3]};
 }
 
 inline Float4 squareRoot(Float4 a)
@@ -78,6 +114,16 @@ inline void transpose(Float4& a, Float4& b, Float4& c, Float4& d)
     c = Float4{ra[2], rb[2], rc[2], rd[2]};
     d = Float4{ra[3], rb[3], rc[3], rd[3]};
 #endif
+}
+
+inline void transpose(Int4& a, Int4& b, Int4& c, Int4& d)
+{
+    Float4 rows[] = {Float4(a), Float4(b), Float4(c), Float4(d)}; // bits, not numbers
+    transpose(rows[0], rows[1], rows[2], rows[3]);
+    a = Int4(rows[0]);
+    b = Int4(rows[1]);
+    c = Int4(rows[2]);
+    d = Int4(rows[3]);
 }
 
 /// The lanes of all four in turn, as numbers of 8 or 16 bits, which they fit into.

@@ -180,7 +180,7 @@ struct Color8Storage
 
     const std::vector<std::uint16_t>& colors = halfColors();
     const std::vector<std::uint16_t>& alphas = halfFractions();
-    const CodeTable& codes = srgbCodes();
+    const CodeTable::Lookup codes = srgbCodes().lookup();
 
     std::array<OnDevice, 4> stored(const std::array<Code, 4>& code) const
     {
@@ -190,10 +190,10 @@ struct Color8Storage
     {
         const Int4 alpha = roundedProduct(Float4{lights[0][3], lights[1][3], lights[2][3], lights[3][3]}, 255.0);
         for (int i = 0; i < 4; ++i) {
-            const Float4 light = lights[static_cast<std::size_t>(i)];
+            const Int4 code = codes(lights[static_cast<std::size_t>(i)]);
             std::uint16_t* texel = texels.data() + 4 * i;
             for (int c = 0; c < 3; ++c)
-                texel[c] = colors[codes(light[c])];
+                texel[c] = colors[static_cast<std::size_t>(code[c])];
             texel[3] = alphas[static_cast<std::size_t>(alpha[i])];
         }
     }

@@ -23,7 +23,8 @@ std::string png(std::uint32_t width, std::uint32_t height, int bitDepth)
 
 std::string jpeg()
 {
-    const std::vector<std::byte> bytes = encodeJpeg(Image(9, 4, 3, 0.5f), 90);
+    const Image grey(9, 4, 3, 0.5f);
+    const std::vector<std::byte> bytes = encodeJpeg(quantizedRows(grey, 8), 90);
     return {reinterpret_cast<const char*>(bytes.data()), bytes.size()};
 }
 

@@ -14,6 +14,7 @@ namespace torrance::test {
 struct LibpngResult
 {
     bool read = false;
+    int warnings = 0; // of files that were read all the same
     std::string problem;
     TextureImage image;
 };
@@ -37,6 +38,11 @@ inline void readFromString(png_structp png, png_bytep to, std::size_t count)
         png_error(png, "the file ends too early");
     std::memcpy(to, state->bytes.data() + state->next, count);
     state->next += count;
+}
+
+inline void countWarning(png_structp png, png_const_charp)
+{
+    ++static_cast<LibpngState*>(png_get_error_ptr(png))->result.warnings;
 }
 
 inline void keepProblem(png_structp png, png_const_charp message)
@@ -79,7 +85,7 @@ inline LibpngResult readByLibpng(const std::string& bytes)
 {
     LibpngState state;
     state.bytes = bytes;
-    state.png = png_create_read_struct(PNG_LIBPNG_VER_STRING, &state, keepProblem, [](png_structp, png_const_charp) {});
+    state.png = png_create_read_struct(PNG_LIBPNG_VER_STRING, &state, keepProblem, countWarning);
     if (!libpngHeader(state))
         return state.result;
     TextureImage& image = state.result.image;

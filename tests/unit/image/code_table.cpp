@@ -31,13 +31,15 @@ TEST(CodeTable, CountsTheStepsBelow)
 {
     for (double (*decode)(double) : {static_cast<double (*)(double)>(srgbDecode), gammaDecode, unchanged}) {
         const CodeSteps from = stepsOf(decode);
-        const CodeTable table(from);
+        const CodeTable codes(from);
+        const CodeTable::Lookup table = codes.lookup();
         const auto expected = [&](float x) { return std::upper_bound(from.begin(), from.end(), x) - from.begin(); };
         for (const float step : from) {
             const auto bits = std::bit_cast<std::uint32_t>(step);
             for (std::uint32_t near = bits - 3; near <= bits + 3; ++near) {
                 const auto x = std::bit_cast<float>(near);
                 ASSERT_EQ(table(x), expected(x)) << x;
+                ASSERT_EQ(table(Float4{0.5f, x, 1.0f, 0.0f})[1], expected(x)) << x;
             }
         }
         // The whole axis at a pace that is no power of two, and its ends.
