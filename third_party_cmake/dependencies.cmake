@@ -20,7 +20,9 @@ pkg_check_modules(xxhash REQUIRED IMPORTED_TARGET libxxhash>=0.8) # debian: libx
 # Files
 find_package(TinyGLTFHeader 2.7 REQUIRED)                     # debian: libtinygltf-dev
 find_package(TinyObjLoaderHeader 2.0 REQUIRED)                # debian: libtinyobjloader-dev
+find_package(ZLIB 1.2 REQUIRED)                               # debian: zlib1g-dev
 find_package(PNG 1.6 REQUIRED)                                # debian: libpng-dev
+pkg_check_modules(libdeflate REQUIRED IMPORTED_TARGET libdeflate>=1.14) # debian: libdeflate-dev
 find_package(libjpeg-turbo 2.1 REQUIRED)                      # debian: libturbojpeg0-dev libjpeg62-turbo-dev
 set(CMAKE_MESSAGE_LOG_LEVEL WARNING)                          # its configuration notes a Python module that Debian packs apart
 find_package(OpenEXR 3.1 CONFIG REQUIRED)                     # debian: libopenexr-dev

@@ -1,5 +1,4 @@
 #include "core/error.h"
-#include "files/image_codes.h"
 #include "files/image_encoders.h"
 
 #include <turbojpeg.h>
@@ -15,18 +14,18 @@ constexpr int kMaxJpegSide = 65500; // libjpeg's JPEG_MAX_DIMENSION
 
 } // namespace
 
-std::vector<std::byte> encodeJpeg(const Image& image, int quality)
+std::vector<std::byte> encodeJpeg(const CodeRows& rows, int quality)
 {
-    assert(image.channels == 1 || image.channels == 3);
-    if (image.width > kMaxJpegSide || image.height > kMaxJpegSide)
+    assert(rows.bits == 8 && (rows.channels == 1 || rows.channels == 3));
+    if (rows.width > kMaxJpegSide || rows.height > kMaxJpegSide)
         throw usageError("JPEG takes at most 65500 texels a side", "write PNG or EXR");
-    const std::vector<std::uint8_t> codes = codes8(image);
-    const bool grey = image.channels == 1;
+    const std::vector<std::uint8_t> codes = allCodes(rows);
+    const bool grey = rows.channels == 1;
     const std::unique_ptr<void, int (*)(tjhandle)> encoder(tjInitCompress(), tjDestroy);
     unsigned char* data = nullptr;
     unsigned long size = 0;
     const int status =
-        encoder ? tjCompress2(encoder.get(), codes.data(), image.width, 0, image.height, grey ? TJPF_GRAY : TJPF_RGB,
+        encoder ? tjCompress2(encoder.get(), codes.data(), rows.width, 0, rows.height, grey ? TJPF_GRAY : TJPF_RGB,
                               &data, &size, grey ? TJSAMP_GRAY : TJSAMP_444, quality, TJFLAG_ACCURATEDCT)
                 : -1;
     const std::unique_ptr<unsigned char, void (*)(unsigned char*)> owner(data, tjFree);

@@ -1,5 +1,4 @@
 #include "core/error.h"
-#include "files/image_codes.h"
 #include "files/image_encoders.h"
 
 #include <webp/encode.h>
@@ -10,22 +9,22 @@
 
 namespace torrance {
 
-std::vector<std::byte> encodeWebp(const Image& image, int quality)
+std::vector<std::byte> encodeWebp(const CodeRows& rows, int quality)
 {
-    assert(image.channels == 3 || image.channels == 4);
-    if (image.width > WEBP_MAX_DIMENSION || image.height > WEBP_MAX_DIMENSION)
+    assert(rows.bits == 8 && (rows.channels == 3 || rows.channels == 4));
+    if (rows.width > WEBP_MAX_DIMENSION || rows.height > WEBP_MAX_DIMENSION)
         throw usageError("WebP takes at most 16383 texels a side", "write PNG or EXR");
-    const std::vector<std::uint8_t> codes = codes8(image);
-    const int stride = image.width * image.channels;
+    const std::vector<std::uint8_t> codes = allCodes(rows);
+    const int stride = rows.width * rows.channels;
     std::uint8_t* data = nullptr;
     std::size_t size = 0;
     if (quality == 100)
-        size = image.channels == 4 ? WebPEncodeLosslessRGBA(codes.data(), image.width, image.height, stride, &data)
-                                   : WebPEncodeLosslessRGB(codes.data(), image.width, image.height, stride, &data);
+        size = rows.channels == 4 ? WebPEncodeLosslessRGBA(codes.data(), rows.width, rows.height, stride, &data)
+                                  : WebPEncodeLosslessRGB(codes.data(), rows.width, rows.height, stride, &data);
     else {
         const auto factor = static_cast<float>(quality);
-        size = image.channels == 4 ? WebPEncodeRGBA(codes.data(), image.width, image.height, stride, factor, &data)
-                                   : WebPEncodeRGB(codes.data(), image.width, image.height, stride, factor, &data);
+        size = rows.channels == 4 ? WebPEncodeRGBA(codes.data(), rows.width, rows.height, stride, factor, &data)
+                                  : WebPEncodeRGB(codes.data(), rows.width, rows.height, stride, factor, &data);
     }
     const std::unique_ptr<std::uint8_t, void (*)(void*)> owner(data, WebPFree);
     if (size == 0)

@@ -2,6 +2,7 @@
 
 #include "core/error.h"
 #include "core/parallel.h"
+#include "files/deferred_images.h"
 #include "files/texture_file.h"
 
 #include <exception>
@@ -26,13 +27,16 @@ void checkTotalSize(const std::vector<EncodedImage>& images, std::uint64_t maxTe
     }
 }
 
-std::vector<TextureImage> decodeAll(const std::vector<EncodedImage>& encoded)
+std::vector<TextureImage> decodeAll(std::vector<EncodedImage> encoded)
 {
-    std::vector<TextureImage> images(encoded.size());
-    std::vector<std::exception_ptr> failures(encoded.size());
-    parallelFor(encoded.size(), 1, [&](std::size_t i) {
+    DeferredImages deferred(std::move(encoded), {});
+    std::vector<TextureImage> images(deferred.count());
+    std::vector<std::exception_ptr> failures(images.size());
+    const std::vector<std::size_t> order = deferred.longestFirst();
+    parallelFor(order.size(), 1, [&](std::size_t place) {
+        const std::size_t i = order[place];
         try {
-            images[i] = decodeTexture(encoded[i].bytes, encoded[i].name, encoded[i].file);
+            images[i] = deferred.decode(i);
         } catch (...) {
             failures[i] = std::current_exception();
         }

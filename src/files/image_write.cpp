@@ -26,10 +26,11 @@ std::string lowered(std::string text)
     return text;
 }
 
-Image displayed(const Image& beauty, const WriteSettings& settings, AlphaRule alpha)
+CodeRows displayed(const Image& beauty, const WriteSettings& settings, AlphaRule alpha)
 {
-    return toDisplay(
-        beauty, {.exposure = settings.exposure, .tone = settings.tone, .transfer = settings.transfer, .alpha = alpha});
+    return displayRows(
+        beauty, {.exposure = settings.exposure, .tone = settings.tone, .transfer = settings.transfer, .alpha = alpha},
+        settings.bitsPerChannel);
 }
 
 ImageLayer beautyLayer(const Image& beauty)
@@ -77,7 +78,7 @@ std::vector<std::byte> encodePicture(ImageFormat format, const Image& beauty, st
     checkSettings(format, extra, settings);
     switch (format) {
     case ImageFormat::png:
-        return encodePng(displayed(beauty, settings, AlphaRule::straight), settings.bitsPerChannel);
+        return encodePng(displayed(beauty, settings, AlphaRule::straight));
     case ImageFormat::jpeg:
         return encodeJpeg(displayed(beauty, settings, AlphaRule::overBlack), settings.quality);
     case ImageFormat::webp:

@@ -38,6 +38,16 @@ Kind kindOf(std::span<const std::byte> bytes)
     return Kind::unknown;
 }
 
+Kind knownKindOf(std::span<const std::byte> bytes, const TextureSource& source)
+{
+    if (bytes.empty())
+        throwCorrupt(source, "the image is empty");
+    const Kind kind = kindOf(bytes);
+    if (kind == Kind::unknown)
+        throw inputError(source.file, source.name, "the image is neither PNG nor JPEG nor WebP", "convert it to PNG");
+    return kind;
+}
+
 } // namespace
 
 void checkTextureSize(long long width, long long height, const TextureSource& source)
@@ -57,20 +67,35 @@ void throwCorrupt(const TextureSource& source, const std::string& problem)
 
 TextureImage decodeTexture(std::span<const std::byte> bytes, const std::string& name, const std::string& file)
 {
+    DecodeScratch scratch;
+    return decodeTexture(bytes, name, file, scratch);
+}
+
+TextureImage decodeTexture(std::span<const std::byte> bytes, const std::string& name, const std::string& file,
+                           DecodeScratch& scratch)
+{
     const TextureSource source{name, file};
-    if (bytes.empty())
-        throwCorrupt(source, "the image is empty");
-    switch (kindOf(bytes)) {
+    switch (knownKindOf(bytes, source)) {
     case Kind::png:
-        return decodePng(bytes, source);
+        return decodePng(bytes, source, scratch);
     case Kind::jpeg:
-        return decodeJpeg(bytes, source);
-    case Kind::webp:
-        return decodeWebp(bytes, source);
-    case Kind::unknown:
-        break;
+        return decodeJpeg(bytes, source, scratch);
+    default:
+        return decodeWebp(bytes, source, scratch);
     }
-    throw inputError(file, name, "the image is neither PNG nor JPEG nor WebP", "convert it to PNG");
+}
+
+TextureImage textureHeader(std::span<const std::byte> bytes, const std::string& name, const std::string& file)
+{
+    const TextureSource source{name, file};
+    switch (knownKindOf(bytes, source)) {
+    case Kind::png:
+        return pngHeader(bytes, source);
+    case Kind::jpeg:
+        return jpegHeader(bytes, source);
+    default:
+        return webpHeader(bytes, source);
+    }
 }
 
 bool isTexture(std::span<const std::byte> bytes)

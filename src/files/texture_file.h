@@ -1,6 +1,7 @@
 // The pictures of a material: PNG, JPEG and WebP as they lie in a file or in a glTF buffer.
 #pragma once
 
+#include "files/decode_scratch.h"
 #include "scene/texture.h"
 
 #include <cstddef>
@@ -26,6 +27,12 @@ struct ImageSize
 /// rgba16. `name` names the picture and `file` what holds it, for messages. An Error (input) where the bytes are
 /// corrupt or truncated, of another kind, 0x0 or larger than the limits above: never half a picture.
 TextureImage decodeTexture(std::span<const std::byte> bytes, const std::string& name, const std::string& file);
+/// The same for one of many.
+TextureImage decodeTexture(std::span<const std::byte> bytes, const std::string& name, const std::string& file,
+                           DecodeScratch& scratch);
+
+/// Name, size and format of what decodeTexture gives, without its texels. Errors as there, of what a header tells.
+TextureImage textureHeader(std::span<const std::byte> bytes, const std::string& name, const std::string& file);
 
 /// Whether the bytes start as PNG, JPEG or WebP do.
 bool isTexture(std::span<const std::byte> bytes);

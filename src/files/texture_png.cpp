@@ -1,4 +1,5 @@
 #include "core/error.h"
+#include "files/png_texels.h"
 #include "files/texture_decoders.h"
 
 #include <png.h>
@@ -99,30 +100,68 @@ void check(bool done, const PngReader& reader, const TextureSource& source)
         throwCorrupt(source, std::string("the PNG is corrupt: ") + (*reader.problem ? reader.problem : "no memory"));
 }
 
-} // namespace
-
-TextureImage decodePng(std::span<const std::byte> bytes, const TextureSource& source)
+PngLayout layoutOf(const PngReader& reader)
 {
-    PngReader reader(bytes);
+    PngLayout layout = {.width = png_get_image_width(reader.png, reader.info),
+                        .height = png_get_image_height(reader.png, reader.info),
+                        .bitDepth = png_get_bit_depth(reader.png, reader.info),
+                        .colorType = png_get_color_type(reader.png, reader.info),
+                        .interlaced = png_get_interlace_type(reader.png, reader.info) != PNG_INTERLACE_NONE};
+    png_colorp colors = nullptr;
+    png_bytep alphas = nullptr;
+    int colorCount = 0, alphaCount = 0;
+    png_get_PLTE(reader.png, reader.info, &colors, &colorCount);
+    png_get_tRNS(reader.png, reader.info, &alphas, &alphaCount, nullptr);
+    layout.hasKeyColor = alphaCount > 0 && layout.colorType != PNG_COLOR_TYPE_PALETTE;
+    for (int i = 0; i < 256; ++i) { // as libpng has it: what the file leaves out is black and opaque
+        const png_color color = i < colorCount ? colors[i] : png_color{};
+        const std::uint8_t rgba[] = {color.red, color.green, color.blue,
+                                     !layout.hasKeyColor && i < alphaCount ? alphas[i] : std::uint8_t(255)};
+        std::memcpy(&layout.palette[static_cast<std::size_t>(i)], rgba, sizeof rgba);
+    }
+    return layout;
+}
+
+/// Reads up to the texels: what they are, and none of them.
+TextureImage readUpToTexels(PngReader& reader, std::size_t fileBytes, const TextureSource& source)
+{
     check(readHeader(reader), reader, source);
     const png_uint_32 width = png_get_image_width(reader.png, reader.info);
     const png_uint_32 height = png_get_image_height(reader.png, reader.info);
     checkTextureSize(width, height, source);
     const unsigned long long storedBytes = png_get_rowbytes(reader.png, reader.info) * 1ull * height;
-    if (storedBytes / kMaxDeflateRatio > bytes.size())
+    if (storedBytes / kMaxDeflateRatio > fileBytes)
         throwCorrupt(source, "the PNG is corrupt: the file ends too early");
+    return {.name = source.name,
+            .width = static_cast<int>(width),
+            .height = static_cast<int>(height),
+            .format = png_get_bit_depth(reader.png, reader.info) == 16 ? TexelFormat::rgba16 : TexelFormat::rgba8,
+            .texels = {}};
+}
 
-    const bool sixteenBits = png_get_bit_depth(reader.png, reader.info) == 16;
-    check(setTransforms(reader, sixteenBits), reader, source);
-    TextureImage image{.name = source.name,
-                       .width = static_cast<int>(width),
-                       .height = static_cast<int>(height),
-                       .format = sixteenBits ? TexelFormat::rgba16 : TexelFormat::rgba8,
-                       .texels = {}};
-    const std::size_t rowBytes = width * bytesPerTexel(image.format);
+} // namespace
+
+TextureImage pngHeader(std::span<const std::byte> bytes, const TextureSource& source)
+{
+    PngReader reader(bytes);
+    return readUpToTexels(reader, bytes.size(), source);
+}
+
+TextureImage decodePng(std::span<const std::byte> bytes, const TextureSource& source, DecodeScratch& scratch)
+{
+    PngReader reader(bytes);
+    TextureImage image = readUpToTexels(reader, bytes.size(), source);
+    const auto height = static_cast<std::size_t>(image.height);
+    const std::size_t rowBytes = static_cast<std::size_t>(image.width) * bytesPerTexel(image.format);
+    image.texels = scratch.takeTexels(rowBytes * height);
+    constexpr std::size_t kChunkHeader = 8; // of the first IDAT, which has been read
+    if (readPngTexels(layoutOf(reader), {reader.next - kChunkHeader, reader.left + kChunkHeader}, scratch,
+                      image.texels.data()))
+        return image;
+
+    check(setTransforms(reader, image.format == TexelFormat::rgba16), reader, source);
     if (png_get_rowbytes(reader.png, reader.info) != rowBytes)
         throwCorrupt(source, "the PNG has a layout of channels that is not known");
-    image.texels.resize(rowBytes * height);
     std::vector<png_bytep> rows(height);
     for (std::size_t y = 0; y < rows.size(); ++y)
         rows[y] = reinterpret_cast<png_bytep>(image.texels.data() + y * rowBytes);

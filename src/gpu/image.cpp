@@ -3,8 +3,13 @@
 #include "core/error.h"
 #include "core/huge_pages.h"
 
+#include <cassert>
+#include <vector>
+
 namespace torrance::gpu {
 namespace {
+
+using MemoryBit = vk::MemoryPropertyFlagBits;
 
 constexpr vk::DeviceSize kLargeImage = 4 << 20; // holds a large page whole
 
@@ -13,7 +18,7 @@ void preferHugePagesOnHost(const Device& device, const vk::raii::DeviceMemory& m
                            vk::DeviceSize size)
 {
     const bool mappable =
-        bool(device.memory.memoryTypes[type].propertyFlags & vk::MemoryPropertyFlagBits::eHostVisible);
+        bool(device.memory.memoryTypes[type].propertyFlags & MemoryBit::eHostVisible);
     if (device.description.kind != "CPU" || !mappable || size < kLargeImage)
         return;
     preferHugePages(memory.mapMemory(0, VK_WHOLE_SIZE), size);
@@ -40,12 +45,14 @@ vk::ImageAspectFlags DeviceImage::aspect() const
     return isDepthFormat(shape.format) ? Aspect::eDepth : Aspect::eColor;
 }
 
-DeviceImage makeImage(const Device& device, const ImageShape& shape, vk::ImageUsageFlags usage, std::string_view name)
+DeviceImage makeImage(const Device& device, const ImageShape& shape, vk::ImageUsageFlags usage, std::string_view name,
+                      ImageTiling tiling)
 {
     if (const std::uint32_t limit = device.limits.maxImageDimension2D; shape.width > limit || shape.height > limit)
         throw usageError(std::to_string(shape.width) + "x" + std::to_string(shape.height) + " is more than " +
                              device.description.name + " can hold (" + std::to_string(limit) + " a side)",
                          "choose a smaller size");
+    const bool inRows = tiling == ImageTiling::rows;
     const vk::ImageCreateInfo info = {.flags = shape.cube ? vk::ImageCreateFlagBits::eCubeCompatible
                                                           : vk::ImageCreateFlags{},
                                       .imageType = vk::ImageType::e2D,
@@ -54,13 +61,18 @@ DeviceImage makeImage(const Device& device, const ImageShape& shape, vk::ImageUs
                                       .mipLevels = shape.mips,
                                       .arrayLayers = shape.layers,
                                       .samples = vk::SampleCountFlagBits::e1,
-                                      .tiling = vk::ImageTiling::eOptimal,
-                                      .usage = usage};
+                                      .tiling = inRows ? vk::ImageTiling::eLinear : vk::ImageTiling::eOptimal,
+                                      .usage = usage,
+                                      .initialLayout = inRows ? vk::ImageLayout::ePreinitialized
+                                                              : vk::ImageLayout::eUndefined};
     DeviceImage image;
     image.shape = shape;
+    image.history.layout = info.initialLayout;
     vk::raii::Image handle(device.handle, info);
     const vk::MemoryRequirements needs = handle.getMemoryRequirements();
-    const std::uint32_t type = device.memoryType(needs.memoryTypeBits, {}, vk::MemoryPropertyFlagBits::eDeviceLocal);
+    const std::uint32_t type = device.memoryType(
+        needs.memoryTypeBits,
+        inRows ? MemoryBit::eHostVisible | MemoryBit::eHostCoherent : vk::MemoryPropertyFlags{}, MemoryBit::eDeviceLocal);
     image.memory = vk::raii::DeviceMemory(device.handle, {.allocationSize = needs.size, .memoryTypeIndex = type});
     preferHugePagesOnHost(device, image.memory, type, needs.size);
     image.handle = std::move(handle);
@@ -85,6 +97,37 @@ DeviceImage makeImage(const Device& device, const ImageShape& shape, vk::ImageUs
     device.name(image.handle, name);
     device.name(image.view, name);
     return image;
+}
+
+bool canSampleRows(const Device& device, const ImageShape& shape)
+{
+    if (device.description.kind != "CPU" || shape.layers != 1)
+        return false;
+    constexpr auto kNeeded =
+        vk::FormatFeatureFlagBits::eSampledImage | vk::FormatFeatureFlagBits::eSampledImageFilterLinear;
+    if ((device.physical.getFormatProperties(shape.format).linearTilingFeatures & kNeeded) != kNeeded)
+        return false;
+    try {
+        const vk::ImageFormatProperties limits = device.physical.getImageFormatProperties(
+            shape.format, vk::ImageType::e2D, vk::ImageTiling::eLinear, vk::ImageUsageFlagBits::eSampled);
+        return shape.width <= limits.maxExtent.width && shape.height <= limits.maxExtent.height &&
+               shape.mips <= limits.maxMipLevels;
+    } catch (const vk::FormatNotSupportedError&) {
+        return false;
+    }
+}
+
+void writeRows(const DeviceImage& image, const std::function<void(std::span<const LevelRows>)>& write)
+{
+    assert(image.history.layout == vk::ImageLayout::ePreinitialized);
+    auto* const mapped = static_cast<std::byte*>(image.memory.mapMemory(0, VK_WHOLE_SIZE));
+    std::vector<LevelRows> levels;
+    for (std::uint32_t mip = 0; mip < image.shape.mips; ++mip) {
+        const vk::SubresourceLayout layout = image.handle.getSubresourceLayout({image.aspect(), mip, 0});
+        levels.push_back({mapped + layout.offset, layout.rowPitch});
+    }
+    write(levels);
+    image.memory.unmapMemory();
 }
 
 } // namespace torrance::gpu

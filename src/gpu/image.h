@@ -4,7 +4,10 @@
 #include "gpu/access.h"
 #include "gpu/device.h"
 
+#include <cstddef>
 #include <cstdint>
+#include <functional>
+#include <span>
 #include <string_view>
 
 namespace torrance::gpu {
@@ -33,8 +36,29 @@ struct DeviceImage
     vk::ImageAspectFlags aspect() const;
 };
 
+/// Who lays out an image's texels.
+enum class ImageTiling
+{
+    device, // filled by copies
+    rows,   // row after row: the host writes them in place, before the image is first used
+};
+
 /// An Error (usage) names the size where the device cannot hold it.
-DeviceImage makeImage(const Device& device, const ImageShape& shape, vk::ImageUsageFlags usage, std::string_view name);
+DeviceImage makeImage(const Device& device, const ImageShape& shape, vk::ImageUsageFlags usage, std::string_view name,
+                      ImageTiling tiling = ImageTiling::device);
+
+/// Where a level of an image in rows lies in the host's memory.
+struct LevelRows
+{
+    std::byte* texels = nullptr;
+    std::size_t rowPitch = 0; // bytes from one to the next
+};
+
+/// An image in rows can be sampled as well as any other: so it is on a processor, whose driver keeps all images in rows.
+bool canSampleRows(const Device& device, const ImageShape& shape);
+
+/// Maps a new image in rows of one layer while `write` fills its levels, from large to small.
+void writeRows(const DeviceImage& image, const std::function<void(std::span<const LevelRows>)>& write);
 
 bool isDepthFormat(vk::Format format);
 bool hasStencil(vk::Format format);

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <type_traits>
 
 namespace torrance {
 namespace {
@@ -48,23 +49,66 @@ Color<T> reinhard(const Color<T>& color)
     return c / (c + T(1));
 }
 
+template <typename T>
+T constant(double value)
+{
+    return T{} + static_cast<std::conditional_t<std::is_same_v<T, double>, double, float>>(value);
+}
+
+template <typename T>
+T admittedChannel(T c)
+{
+    return c > T{} ? least(c, constant<T>(kMaxToneInput)) : T{}; // a NaN compares false
+}
+
 // The specification's names: F90 = 0.04 is removed (it is what a dielectric reflects at normal incidence), so that base
 // colours come out as they were put in; above Ks the peak is compressed towards 1 and Kd desaturates what was
-// compressed.
+// compressed. For one colour or, T being Float4, for four: of these each keeps or compresses for itself.
 template <typename T>
-Color<T> khronosNeutral(const Color<T>& color)
+void khronosNeutral(T& red, T& green, T& blue)
 {
-    constexpr T kF90 = T(0.04), kKs = T(0.8) - kF90, kKd = T(0.15);
-    const Color<T> c = admitted(color);
-    const T x = std::min({c.x, c.y, c.z});
-    const T offset = x <= 2 * kF90 ? x - x * x / (4 * kF90) : kF90;
-    const Color<T> shifted = c - offset;
-    const T peak = highest(shifted);
-    if (peak <= kKs)
-        return shifted;
-    const T compressed = 1 - (1 - kKs) * (1 - kKs) / (peak + 1 - 2 * kKs);
-    const T keep = 1 / (kKd * (peak - compressed) + 1);
-    return shifted * (compressed / peak) * keep + compressed * (1 - keep);
+    const T one = constant<T>(1), two = constant<T>(2), four = constant<T>(4);
+    const T kF90 = constant<T>(0.04), kKs = constant<T>(0.8) - kF90, kKd = constant<T>(0.15);
+    T channels[] = {admittedChannel(red), admittedChannel(green), admittedChannel(blue)};
+    const T x = least(least(channels[0], channels[1]), channels[2]);
+    const T offset = x <= two * kF90 ? x - x * x / (four * kF90) : kF90;
+    for (T& c : channels)
+        c = c - offset;
+    const T peak = greatest(greatest(channels[0], channels[1]), channels[2]);
+    if (!all(peak <= kKs)) {
+        const T compressed = one - (one - kKs) * (one - kKs) / (peak + one - two * kKs);
+        const T keep = one / (kKd * (peak - compressed) + one);
+        for (T& c : channels)
+            c = peak <= kKs ? c : c * (compressed / peak) * keep + compressed * (one - keep);
+    }
+    red = channels[0];
+    green = channels[1];
+    blue = channels[2];
+}
+
+template <typename T>
+Color<T> khronosNeutral(Color<T> color)
+{
+    khronosNeutral(color.x, color.y, color.z);
+    return color;
+}
+
+void noneOfFour(Float4& red, Float4& green, Float4& blue)
+{
+    for (Float4* c : {&red, &green, &blue})
+        *c = admittedChannel(*c);
+}
+
+/// The curves that few pictures are shown by: colour for colour.
+template <vec3 (*kSingle)(const vec3&)>
+void oneByOne(Float4& red, Float4& green, Float4& blue)
+{
+    for (int i = 0; i < 4; ++i) {
+        const vec3 toned = kSingle({red[i], green[i], blue[i]});
+        red[i] = toned.x;
+        green[i] = toned.y;
+        blue[i] = toned.z;
+    }
 }
 
 template <typename T>
@@ -185,12 +229,12 @@ vec3 tone_agx(const vec3& color)
 std::span<const ToneCurve> allToneCurves()
 {
     static constexpr ToneCurve kCurves[] = {
-        {"khronos_neutral", tone_khronos_neutral, tone_khronos_neutral},
-        {"aces_hill", tone_aces_hill, tone_aces_hill},
-        {"aces_narkowicz", tone_aces_narkowicz, tone_aces_narkowicz},
-        {"agx", tone_agx, tone_agx},
-        {"reinhard", tone_reinhard, tone_reinhard},
-        {"none", tone_none, tone_none},
+        {"khronos_neutral", tone_khronos_neutral, tone_khronos_neutral, khronosNeutral<Float4>},
+        {"aces_hill", tone_aces_hill, tone_aces_hill, oneByOne<tone_aces_hill>},
+        {"aces_narkowicz", tone_aces_narkowicz, tone_aces_narkowicz, oneByOne<tone_aces_narkowicz>},
+        {"agx", tone_agx, tone_agx, oneByOne<tone_agx>},
+        {"reinhard", tone_reinhard, tone_reinhard, oneByOne<tone_reinhard>},
+        {"none", tone_none, tone_none, noneOfFour},
     };
     return kCurves;
 }

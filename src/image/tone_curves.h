@@ -2,6 +2,7 @@
 // `tone`.
 #pragma once
 
+#include "math/float4.h"
 #include "math/vector.h"
 
 #include <span>
@@ -41,12 +42,14 @@ vec3 tone_aces_narkowicz(const vec3& color);
 dvec3 tone_agx(const dvec3& color);
 vec3 tone_agx(const vec3& color);
 
-/// A curve by the id of its registry row, in both precisions.
+/// A curve by the id of its registry row, in both precisions, and the float one for four colours at a time: the same
+/// bits.
 struct ToneCurve
 {
     std::string_view id;
     dvec3 (*exact)(const dvec3&);
     vec3 (*single)(const vec3&);
+    void (*four)(Float4& red, Float4& green, Float4& blue);
 };
 
 std::span<const ToneCurve> allToneCurves();

@@ -9,6 +9,7 @@
 #include "plan/primitive_facts.h"
 
 #include <algorithm>
+#include <cassert>
 #include <limits>
 #include <map>
 #include <tuple>
@@ -32,7 +33,10 @@ SurfaceKind surfaceOf(Topology topology)
 class Planner
 {
 public:
-    Planner(const Scene& s, const Settings& settings) : scene(s) { plan.settings = settings; }
+    Planner(const Scene& s, std::span<const TexelFacts> f, const Settings& settings) : scene(s), facts(f)
+    {
+        plan.settings = settings;
+    }
 
     ShadingPlan run()
     {
@@ -65,6 +69,7 @@ private:
     TextureKey textureKey(const TextureUse& use, const Primitive& primitive, const char* what);
 
     const Scene& scene;
+    std::span<const TexelFacts> facts;
     ShadingPlan plan;
     Box bounds;
     std::map<PlannedTexture, int> textures;                    // ShadingPlan::textures
@@ -74,9 +79,6 @@ private:
 
 void Planner::planMaterials()
 {
-    std::vector<TexelFacts> facts;
-    for (const TextureImage& image : scene.images)
-        facts.push_back(texelFacts(image));
     std::vector<Material> materials = scene.materials;
     materials.emplace_back().name = "default";
     const bool mayCompensate =
@@ -382,7 +384,13 @@ bool readsAlbedo(const brdf::Preset& methods, bool compensates)
 
 ShadingPlan makePlan(const Scene& scene, const Settings& settings)
 {
-    return Planner(scene, settings).run();
+    return makePlan(scene, texelFacts(scene), settings);
+}
+
+ShadingPlan makePlan(const Scene& scene, std::span<const TexelFacts> facts, const Settings& settings)
+{
+    assert(facts.size() == scene.images.size());
+    return Planner(scene, facts, settings).run();
 }
 
 } // namespace torrance

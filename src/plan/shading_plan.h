@@ -11,6 +11,7 @@
 #include "scene/scene.h"
 
 #include <array>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -88,6 +89,8 @@ struct ShadingPlan
 
 /// Throws Error (usage) where methods are combined that no table was made for.
 ShadingPlan makePlan(const Scene& scene, const Settings& settings);
+/// The same where the facts of the scene's images are known: their texels are not looked at.
+ShadingPlan makePlan(const Scene& scene, std::span<const TexelFacts> facts, const Settings& settings);
 
 /// Whether the environment's part needs a table of directional albedos: that of the slot dfg, or source B's map.
 bool environmentReadsTable(const ShadingPlan& plan);

@@ -1,9 +1,10 @@
 // What can be known of a texture without drawing it.
 #pragma once
 
-#include "scene/texture.h"
+#include "scene/scene.h"
 
 #include <array>
+#include <vector>
 
 namespace torrance {
 
@@ -20,5 +21,7 @@ struct TexelFacts
 };
 
 TexelFacts texelFacts(const TextureImage& image);
+/// Of all its images, in their order.
+std::vector<TexelFacts> texelFacts(const Scene& scene);
 
 } // namespace torrance

@@ -119,5 +119,43 @@ TEST(ToneCurves, AreFoundByIdOnly)
     EXPECT_EQ(findToneCurve("AgX"), nullptr);
 }
 
+// Bit by bit, NaN and infinity included; the lanes are of different pieces of the curves.
+TEST(ToneCurves, OfFourColoursAreThoseOfEach)
+{
+    const float values[] = {0.0f,
+                            1e-6f,
+                            0.05f,
+                            0.08f,
+                            0.3f,
+                            0.7599f,
+                            0.76f,
+                            0.8f,
+                            1.0f,
+                            12.0f,
+                            1e30f,
+                            -1.0f,
+                            static_cast<float>(kInfinity),
+                            static_cast<float>(kNan)};
+    constexpr std::size_t kCount = std::size(values);
+    for (const ToneCurve& curve : allToneCurves())
+        for (std::size_t i = 0; i < kCount * kCount; ++i) {
+            const auto value = [&](std::size_t number) { return values[number % kCount]; };
+            Float4 red, green, blue;
+            for (std::size_t lane = 0; lane < 4; ++lane) {
+                red[lane] = value(i + lane);
+                green[lane] = value(i / kCount + 3 * lane);
+                blue[lane] = value(5 * i + 7 * lane);
+            }
+            const Float4 r = red, g = green, b = blue;
+            curve.four(red, green, blue);
+            for (int lane = 0; lane < 4; ++lane) {
+                const vec3 expected = curve.single({r[lane], g[lane], b[lane]});
+                EXPECT_EQ(red[lane], expected.x) << curve.id;
+                EXPECT_EQ(green[lane], expected.y) << curve.id;
+                EXPECT_EQ(blue[lane], expected.z) << curve.id;
+            }
+        }
+}
+
 } // namespace
 } // namespace torrance

@@ -1,6 +1,8 @@
 #include "prepare/mips.h"
 
 #include "image/srgb.h"
+#include "level_bytes.h"
+#include "math/half.h"
 #include "math/vector.h"
 
 #include <array>
@@ -8,6 +10,7 @@
 #include <cstdint>
 #include <cstring>
 #include <gtest/gtest.h>
+#include <map>
 #include <span>
 
 namespace torrance {
@@ -38,6 +41,62 @@ Code codeAt(const TextureImage& picture, int x, int y)
         out[c] = value;
     }
     return out;
+}
+
+/// The code that the device's number stands for: halves and floats are the curve's values of codes, each another.
+template <typename Number, typename Convert>
+int codeOf(Number number, int maximum, bool isAlpha, const Convert& convert)
+{
+    static std::map<std::pair<Number, bool>, int> codes;
+    if (codes.empty())
+        for (int code = 0; code <= maximum; ++code) {
+            const double fraction = code / static_cast<double>(maximum);
+            codes[{convert(static_cast<float>(srgbDecode(fraction))), false}] = code;
+            codes[{convert(static_cast<float>(fraction)), true}] = code;
+        }
+    return codes.at({number, isAlpha});
+}
+
+int codeAt(const std::byte* texels, TexelStorage storage, std::size_t i)
+{
+    const bool isAlpha = i % 4 == 3;
+    const auto number = [&](auto value) {
+        std::memcpy(&value, texels + i * sizeof value, sizeof value);
+        return value;
+    };
+    switch (storage) {
+    case TexelStorage::unorm8:
+        return number(std::uint8_t());
+    case TexelStorage::unorm16:
+        return number(std::uint16_t());
+    case TexelStorage::half:
+        return codeOf(number(std::uint16_t()), 255, isAlpha, toHalf);
+    case TexelStorage::single:
+        break;
+    }
+    return codeOf(number(0.0f), 65535, isAlpha, [](float value) { return value; });
+}
+
+/// What writeLevels gives, in codes again: level 1 and on, of the format of `base` or of 16 bits.
+std::vector<TextureImage> makeMips(const TextureImage& base, const MipRule& rule)
+{
+    const TexelStorage storage = storageOf(base.format, rule);
+    std::vector<TextureImage> levels;
+    for (const std::vector<std::byte>& stored : test::levelBytes(base, rule)) {
+        const auto level = static_cast<int>(levels.size());
+        std::vector<Code> codes(stored.size() / bytesPerTexel(storage));
+        for (std::size_t i = 0; i < 4 * codes.size(); ++i)
+            codes[i / 4][i % 4] = codeAt(stored.data(), storage, i);
+        levels.push_back(image(std::max(1, base.width >> level), std::max(1, base.height >> level), codes,
+                               storage == TexelStorage::unorm16 ? TexelFormat::rgba16 : base.format));
+    }
+    levels.erase(levels.begin());
+    return levels;
+}
+
+TextureImage levelZero(const TextureImage& base, const MipRule& rule)
+{
+    return {base.name, base.width, base.height, TexelFormat::rgba16, test::levelBytes(base, rule)[0]};
 }
 
 TEST(Mips, EndAtOneTexel)
@@ -167,8 +226,9 @@ TEST(Mips, KeepTheLengthOfMeanNormalsInAlpha)
     for (const double x : {0.6, -0.6, -0.6, 0.6})
         for (const double value : {0.5 + 0.5 * x, 0.5, 0.9, 0.3})
             leaning.texels.push_back(static_cast<std::byte>(std::lround(value * 255.0)));
-    const TextureImage wide = wideNormals(leaning);
-    ASSERT_EQ(wide.format, TexelFormat::rgba16);
+    const MipRule rule = {.content = TexelContent::normal, .lengthInAlpha = true};
+    ASSERT_EQ(storageOf(leaning.format, rule), TexelStorage::unorm16);
+    const TextureImage wide = levelZero(leaning, rule);
     const auto channel = [](const TextureImage& image, std::size_t i) {
         std::uint16_t code;
         std::memcpy(&code, image.texels.data() + 2 * i, sizeof code);
@@ -181,7 +241,7 @@ TEST(Mips, KeepTheLengthOfMeanNormalsInAlpha)
         EXPECT_NEAR(length2, 1.0, 1e-4) << "unit, although 8 bits were not";
         EXPECT_EQ(channel(wide, 4 * texel + 3), 1.0) << "what was in alpha is not read";
     }
-    const std::vector<TextureImage> levels = makeMips(wide, {.content = TexelContent::normal, .lengthInAlpha = true});
+    const std::vector<TextureImage> levels = makeMips(leaning, rule);
     ASSERT_EQ(levels.size(), 1u);
     EXPECT_NEAR(channel(levels[0], 0), 0.5, 2e-3) << "the halves of 0.5 and of 255 codes differ by half a code";
     EXPECT_NEAR(channel(levels[0], 2), 1.0, 1e-4);
