@@ -36,10 +36,12 @@ ExitCode benchGrowth(BenchSession& session, const std::vector<const GrowthSeries
 {
     const BenchOptions& options = session.options;
     GrowthRecord record = {.bench = session.emptyRecord(), .series = {}};
+    const auto open = [&] { return openDevice(options.device, session.global); };
     for (const GrowthSeries* series : chosen) {
         ProgressLine progress(std::string(series->id));
-        record.series.push_back(measureGrowth(session.device, session.shaders, cacheFolder(session.global), *series,
-                                              frameSettings(options.frame), session.environment, options.bounds,
+        record.series.push_back(measureGrowth(open, session.shaders, cacheFolder(session.global), *series,
+                                              frameSettings(options.frame), session.environment,
+                                              boundsOf(options, kGrowthSeconds),
                                               [&](int done, int all) { progress.show(done, all); }));
         progress.clear();
         session.say(textOf(record.series.back(), session.clock));

@@ -76,11 +76,11 @@ void declareBenchOptions(CLI::App& app, BenchOptions& o)
 {
     const char* group = "Measuring";
     declareSceneOptions(app, o.scene);
-    app.add_option("--frames", o.bounds.frames, "The most frames of each; rounds of --growth (default 9 there)")
+    app.add_option("--frames", o.frames, "The most frames of each; rounds of --growth (default 9 there)")
         ->group(group)
         ->check(CLI::Range(1, kMaxFrames));
-    app.add_option("--seconds", o.bounds.seconds,
-                   "The most time for each picture, and for each size of --growth (default 20)")
+    app.add_option("--seconds", o.seconds,
+                   "The most time for each picture (default 20), and for each size of --growth (default 60)")
         ->group(group)
         ->check(CLI::Range(0.0, kMaxSeconds));
     app.add_option("--vary", o.vary,
@@ -124,6 +124,11 @@ void checkBenchOptions(const BenchOptions& o)
         throw usageError("--growth makes its own scenes", "leave out the scene");
     if (o.limit && o.against.empty())
         throw usageError("--limit is for --against, which was not given", "name the file to compare with");
+}
+
+BenchBounds boundsOf(const BenchOptions& options, double seconds)
+{
+    return {.frames = options.frames, .seconds = options.seconds.value_or(seconds)};
 }
 
 std::vector<FrameVariant> frameVariants(const BenchOptions& options)

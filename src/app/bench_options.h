@@ -21,7 +21,8 @@ namespace torrance {
 
 struct BenchOptions
 {
-    BenchBounds bounds;
+    int frames = 0;
+    std::optional<double> seconds;
     std::vector<std::string> vary; // "OPTION=VALUE,VALUE"
     std::string against;           // file; empty: none
     std::optional<double> limit;
@@ -51,6 +52,12 @@ struct FrameVariant
 /// Every combination of the values that --vary lists, the first value of each first. Error (usage) for an option that
 /// frames do not have and for a value that it does not take.
 std::vector<FrameVariant> frameVariants(const BenchOptions& options);
+
+/// --frames, and --seconds or `seconds`.
+BenchBounds boundsOf(const BenchOptions& options, double seconds);
+
+inline constexpr double kFrameSeconds = 20.0;  // for each picture, unless others are given
+inline constexpr double kGrowthSeconds = 60.0; // for each size
 
 /// The pictures of all scenes in all variants, with `environment` about them, as render draws them.
 std::vector<BenchSource> benchSources(const BenchOptions& options, const std::vector<FrameVariant>& variants,

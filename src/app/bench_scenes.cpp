@@ -34,7 +34,7 @@ std::vector<TimedItem> startItems(BenchSession& session, BenchRecord& record)
 
 BenchRun timeItems(BenchSession& session, std::vector<TimedItem>& items, const BenchRecord& record)
 {
-    const BenchBounds& bounds = session.options.bounds;
+    const BenchBounds bounds = boundsOf(session.options, kFrameSeconds);
     ProgressLine progress("seconds");
     const int seconds = std::max(static_cast<int>(bounds.seconds * static_cast<double>(items.size())), 1);
     return runBench(items, record.results, bounds, session.clock,
@@ -68,7 +68,7 @@ ExitCode benchScenes(BenchSession& session)
     session.writeCsv(framesAsCsv(run));
     record.results = std::move(run.results);
     record.peakResidentBytes = peakResidentBytes();
-    session.say(textOf(record, options.bounds));
+    session.say(textOf(record, boundsOf(options, kFrameSeconds)));
     writeJson(session.global.json, asJson(record));
     return then ? judge(session, *then, record) : ExitCode::success;
 }

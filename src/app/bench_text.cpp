@@ -119,19 +119,26 @@ std::string withPrefix(double value, const std::string& unit)
     return fmt::format("{:.2g} n{}", value * 1e9, unit);
 }
 
+std::string textOf(const GrowthFit& fit, const GrowthMeasurement& measurement, const std::string& unit)
+{
+    const std::string constant = withPrefix(fit.constant.median, unit);
+    if (fit.kind == GrowthKind::none)
+        return constant + ", does not grow";
+    std::string text =
+        fmt::format("{} + {} a {}", constant, withPrefix(fit.slope.median, unit), measurement.series->unit);
+    if (std::isfinite(fit.slope.low))
+        text += fmt::format(" [{}, {}]", withPrefix(fit.slope.low, unit), withPrefix(fit.slope.high, unit));
+    return text + fmt::format(", exponent {}: {}", withInterval(fit.exponent, 1.0), nameOf(fit.kind));
+}
+
 std::string textOf(const GrowthMeasurement& measurement, BenchClock clock)
 {
     const GrowthSeries& series = *measurement.series;
     std::string text = fmt::format("{}: {:.0f} to {:.0f}, {} rounds\n", series.id, series.sizes.front(),
                                    series.sizes.back(), measurement.rounds.size());
-    for (const GrowthCost cost : kGrowthCosts) {
-        const GrowthFit fit = measurement.fit(cost, clock);
-        const std::string unit = cost == GrowthCost::memory ? "B" : "s";
-        text += fmt::format("  {:11}  {} + {} a {} [{}, {}], exponent {}: {}\n", nameOf(cost),
-                            withPrefix(fit.constant.median, unit), withPrefix(fit.slope.median, unit), series.unit,
-                            withPrefix(fit.slope.low, unit), withPrefix(fit.slope.high, unit),
-                            withInterval(fit.exponent, 1.0), nameOf(fit.kind));
-    }
+    for (const GrowthCost cost : kGrowthCosts)
+        text += fmt::format("  {:11}  {}\n", nameOf(cost),
+                            textOf(measurement.fit(cost, clock), measurement, cost == GrowthCost::memory ? "B" : "s"));
     return text;
 }
 

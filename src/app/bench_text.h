@@ -14,6 +14,8 @@ namespace torrance {
 std::string textOf(const BenchRecord& record, const BenchBounds& bounds);
 std::string textOf(const std::vector<SpeedComparison>& comparisons, double limit);
 std::string textOf(const GrowthMeasurement& measurement, BenchClock clock);
+/// Of one cost, in seconds ("s") or bytes ("B").
+std::string textOf(const GrowthFit& fit, const GrowthMeasurement& measurement, const std::string& unit);
 std::string textOf(const SoakVerdict& verdict, std::size_t renders);
 
 /// A number with three digits and a prefix: "12.3 ms", "41 us", "1.2 GB" for unit "s" or "B".

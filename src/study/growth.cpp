@@ -45,6 +45,7 @@ Point measurePoint(Renderer& renderer, const GrowthSeries& series, double size, 
     Scene scene = series.makeScene(size);
     scene.environment = environment;
     const Camera camera = growthCamera(scene);
+    settledMemoryUse(); // every size begins without what others have freed, as a process does
     const TimeUse start = timeUse();
     const ShadingPlan plan = makePlan(scene, settings);
     const DeviceScene onDevice = renderer.upload(scene, plan);
@@ -53,6 +54,20 @@ Point measurePoint(Renderer& renderer, const GrowthSeries& series, double size, 
     point.sample.frame = medianFrame(renderer, onDevice, camera);
     point.sample.bytes = static_cast<double>(settledMemoryUse().own) - bytesBefore;
     return point;
+}
+
+std::vector<Point> measureRound(const gpu::Device& device, gpu::ShaderLibrary& shaders,
+                                const std::filesystem::path& cacheFolder, const GrowthSeries& series,
+                                const Settings& settings, const std::optional<Environment>& environment)
+{
+    const auto bytesBefore = static_cast<double>(settledMemoryUse().own);
+    Renderer renderer(device, shaders, cacheFolder);
+    std::vector<Point> points;
+    // The first is not counted: it pays for compilation, the environment and the tables.
+    measurePoint(renderer, series, series.sizes.front(), settings, environment, bytesBefore);
+    for (const double size : series.sizes)
+        points.push_back(measurePoint(renderer, series, size, settings, environment, bytesBefore));
+    return points;
 }
 
 double unitOf(GrowthCost cost)
@@ -129,31 +144,25 @@ Estimate GrowthMeasurement::at(std::size_t size, GrowthCost cost, BenchClock clo
     return estimateMedian(values);
 }
 
-GrowthMeasurement measureGrowth(const gpu::Device& device, gpu::ShaderLibrary& shaders,
+GrowthMeasurement measureGrowth(const std::function<gpu::Device()>& openDevice, gpu::ShaderLibrary& shaders,
                                 const std::filesystem::path& cacheFolder, const GrowthSeries& series,
                                 const Settings& settings, const std::optional<Environment>& environment,
                                 const BenchBounds& bounds, const std::function<void(int, int)>& progress)
 {
-    Renderer renderer(device, shaders, cacheFolder);
     GrowthMeasurement measurement = {.series = &series, .rounds = {}, .draws = {}};
-    const auto bytesBefore = static_cast<double>(settledMemoryUse().own);
     const double start = timeUse().wall, most = bounds.seconds * static_cast<double>(series.sizes.size());
     const int rounds = bounds.frames > 0 ? bounds.frames : kGrowthRounds;
-    for (int round = 0; round <= rounds; ++round) { // round 0 is not counted
-        if (round > 1 && timeUse().wall - start >= most)
-            break;
-        std::vector<GrowthSample> samples;
-        std::vector<std::size_t> draws;
-        for (const double size : series.sizes) {
-            const Point point = measurePoint(renderer, series, size, settings, environment, bytesBefore);
-            samples.push_back(point.sample);
-            draws.push_back(point.draws);
+    for (int round = 0; round < rounds && (round == 0 || timeUse().wall - start < most); ++round) {
+        const gpu::Device device = openDevice();
+        const std::vector<Point> points = measureRound(device, shaders, cacheFolder, series, settings, environment);
+        measurement.rounds.emplace_back();
+        measurement.draws.clear();
+        for (const Point& point : points) {
+            measurement.rounds.back().push_back(point.sample);
+            measurement.draws.push_back(point.draws);
         }
-        measurement.draws = draws;
-        if (round > 0)
-            measurement.rounds.push_back(samples);
         if (progress)
-            progress(round + 1, rounds + 1);
+            progress(round + 1, rounds);
     }
     return measurement;
 }

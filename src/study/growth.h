@@ -52,9 +52,10 @@ struct GrowthMeasurement
 /// Nine rounds give an interval that leaves one out on each side.
 inline constexpr int kGrowthRounds = 9;
 
-/// Every size once a round, in ascending order, after a round that is not counted: it pays for compilation and caches.
-/// `bounds.frames` rounds, or kGrowthRounds; none begins when `bounds.seconds` a size are over. At least one.
-GrowthMeasurement measureGrowth(const gpu::Device& device, gpu::ShaderLibrary& shaders,
+/// Every size once a round, in ascending order, on a device and with a renderer of the round's own: drivers keep memory
+/// for the next frame that is as large. `bounds.frames` rounds, or kGrowthRounds; none begins when `bounds.seconds` a
+/// size are over. At least one.
+GrowthMeasurement measureGrowth(const std::function<gpu::Device()>& openDevice, gpu::ShaderLibrary& shaders,
                                 const std::filesystem::path& cacheFolder, const GrowthSeries& series,
                                 const Settings& settings, const std::optional<Environment>& environment,
                                 const BenchBounds& bounds, const std::function<void(int done, int all)>& progress = {});

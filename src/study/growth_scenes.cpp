@@ -72,8 +72,8 @@ Scene lightsScene(double size)
     return scene;
 }
 
-// No two neighbours alike, so that no map is taken for a constant; opaque.
-TextureImage noiseTexels(int side, std::uint32_t seed)
+// No two neighbours alike, so that the map is not taken for a constant; opaque.
+TextureImage noiseTexels(int side)
 {
     TextureImage image;
     image.name = "noise";
@@ -81,30 +81,23 @@ TextureImage noiseTexels(int side, std::uint32_t seed)
     image.height = side;
     image.texels.resize(static_cast<std::size_t>(side) * static_cast<std::size_t>(side) *
                         bytesPerTexel(TexelFormat::rgba8));
-    std::uint32_t state = seed;
+    std::uint32_t state = 1;
     for (std::size_t i = 0; i < image.texels.size(); i += bytesPerTexel(TexelFormat::rgba8)) {
         state = state * 1664525u + 1013904223u; // Numerical Recipes' generator: its high bytes are good enough to see
-        const std::array codes = {std::byte(state >> 24), std::byte(state >> 16), std::byte(0xe0 | (state >> 27)),
-                                  std::byte(0xff)}; // blue at 224 and above: a normal map's normals point outwards
+        const std::array codes = {std::byte(state >> 24), std::byte(state >> 16), std::byte(state >> 8),
+                                  std::byte(0xff)};
         std::memcpy(image.texels.data() + i, codes.data(), codes.size());
     }
     return image;
 }
 
-constexpr int kMaps = 3;
-
 Scene texelsScene(double size)
 {
-    Material material = plainMaterial(dvec3(1.0), 1.0, 1.0);
+    Material material = plainMaterial(dvec3(1.0), 0.0, 0.5);
     material.baseColor.texture = 0;
-    material.metallicRoughness.texture = 1;
-    material.normal.texture = 2;
     Scene scene = sceneOf(planeMesh(), material);
-    const int side = static_cast<int>(std::lround(std::sqrt(size / kMaps)));
-    for (int i = 0; i < kMaps; ++i) {
-        scene.images.push_back(noiseTexels(side, static_cast<std::uint32_t>(i + 1)));
-        scene.textures.push_back({.image = i, .sampler = {}});
-    }
+    scene.images.push_back(noiseTexels(static_cast<int>(std::lround(std::sqrt(size)))));
+    scene.textures.push_back({.image = 0, .sampler = {}});
     scene.lights.push_back(sun());
     return scene;
 }
@@ -149,11 +142,11 @@ std::vector<double> geometric(double first, double ratio, int count)
 std::span<const GrowthSeries> growthSeries()
 {
     static const std::vector<GrowthSeries> all = {
-        {"triangles", "triangle", geometric(2.0 * 32 * 32, 4.0, 6), trianglesScene},
+        {"triangles", "triangle", geometric(2.0 * 64 * 64, 4.0, 6), trianglesScene},
         {"lights", "light", geometric(1.0, 4.0, 5), lightsScene},
-        {"texels", "texel", geometric(kMaps * 256.0 * 256.0, 4.0, 5), texelsScene},
+        {"texels", "texel", geometric(512.0 * 512.0, 4.0, 5), texelsScene},
         {"pixels", "pixel", geometric(256.0 * 256.0, 4.0, 6), pixelsScene, setPixels},
-        {"instances", "instance", geometric(10.0, 10.0, 4), instancesScene}};
+        {"instances", "instance", geometric(10.0, 10.0, 5), instancesScene}};
     return all;
 }
 

@@ -145,12 +145,12 @@ TEST(Bench, MeasuresGrowth)
     EXPECT_EQ(record["schema"], "torrance-bench-growth/1");
     ASSERT_EQ(record["series"].size(), 1u);
     const json& series = record["series"][0];
-    EXPECT_EQ(series["sizes"], (json{10.0, 100.0, 1000.0, 10000.0}));
-    EXPECT_EQ(series["draws"], (json{1, 1, 1, 1})) << "10 000 instances are one draw";
+    EXPECT_EQ(series["sizes"], (json{10.0, 100.0, 1000.0, 10000.0, 100000.0}));
+    EXPECT_EQ(series["draws"], (json{1, 1, 1, 1, 1})) << "10 000 instances are one draw";
     EXPECT_EQ(series["frame"]["growth"], "undecided");
-    EXPECT_EQ(series["frame"]["ms"].size(), 4u);
-    EXPECT_GT(series["memory"]["mib"][3]["median"], 0.0);
-    EXPECT_EQ(linesOf(folder.file("growth.csv")), 5u);
+    EXPECT_EQ(series["frame"]["ms"].size(), 5u);
+    EXPECT_GT(series["memory"]["mib"][4]["median"], 0.0);
+    EXPECT_EQ(linesOf(folder.file("growth.csv")), 6u);
 }
 
 TEST(Bench, RefusesWhatHasNoEffect)

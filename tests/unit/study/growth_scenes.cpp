@@ -41,14 +41,14 @@ TEST(GrowthScenes, HaveTheSizesTheySay)
         EXPECT_EQ(static_cast<double>(plan.lights.size()), size) << "none is left out";
     }
     for (const double size : series("texels").sizes) {
-        if (size > 1e6) // seconds
+        if (size > 2e6) // seconds
             break;
         const Scene scene = series("texels").makeScene(size);
         EXPECT_EQ(texelCount(scene), size);
         const ShadingPlan plan = makePlan(scene, settings());
         ASSERT_EQ(plan.batches.size(), 1u);
-        const TextureSet used = {0, 1, 2, -1, -1};
-        EXPECT_EQ(plan.batches[0].textures, used) << "no map is taken for a constant";
+        const TextureSet used = {0, -1, -1, -1, -1};
+        EXPECT_EQ(plan.batches[0].textures, used) << "the map is not taken for a constant";
     }
     for (const double size : series("pixels").sizes) {
         Settings picture = settings();
@@ -59,9 +59,9 @@ TEST(GrowthScenes, HaveTheSizesTheySay)
     EXPECT_EQ(series("lights").sizes.back(), 256.0);
 }
 
-TEST(GrowthScenes, DrawTenThousandInstancesAtOnce)
+TEST(GrowthScenes, DrawAnyNumberOfInstancesAtOnce)
 {
-    EXPECT_EQ(series("instances").sizes.back(), 10000.0);
+    EXPECT_EQ(series("instances").sizes[3], 10000.0);
     for (const double size : series("instances").sizes) {
         const Scene scene = series("instances").makeScene(size);
         EXPECT_EQ(static_cast<double>(scene.instances.size()), size);
