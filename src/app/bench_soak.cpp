@@ -11,11 +11,18 @@ namespace {
 
 std::string readingsAsCsv(const std::vector<MemoryUse>& readings)
 {
-    std::string text = "render,own_bytes,pss_bytes\n";
+    std::string text = "render,own_bytes,allocated_bytes,pss_bytes\n";
     for (std::size_t i = 0; i < readings.size(); ++i)
         text += std::to_string(i + 1) + "," + std::to_string(readings[i].own) + "," +
-                std::to_string(readings[i].proportional) + "\n";
+                std::to_string(readings[i].allocated) + "," + std::to_string(readings[i].proportional) + "\n";
     return text;
+}
+
+Json asJson(const MemoryUse& use)
+{
+    return Json::Object{{"own_bytes", std::size_t(use.own)},
+                        {"allocated_bytes", std::size_t(use.allocated)},
+                        {"pss_bytes", std::size_t(use.proportional)}};
 }
 
 // From the file to the bytes of a PNG, and all of it given back.
@@ -46,9 +53,8 @@ ExitCode benchSoak(BenchSession& session)
     writeJson(session.global.json, Json::Object{{"schema", "torrance-bench-soak/1"},
                                                 {"program", session.emptyRecord().program},
                                                 {"renders", renders},
-                                                {"own_bytes_after_warm_up", verdict.bytesAfterWarmUp},
-                                                {"own_bytes_at_end", verdict.bytesAtEnd},
-                                                {"pss_bytes_at_end", static_cast<double>(readings.back().proportional)},
+                                                {"after_warm_up", asJson(verdict.afterWarmUp)},
+                                                {"at_end", asJson(verdict.atEnd)},
                                                 {"growth", verdict.growth},
                                                 {"passed", verdict.passed()}});
     session.writeCsv(readingsAsCsv(readings));

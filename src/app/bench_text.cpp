@@ -144,9 +144,12 @@ std::string textOf(const GrowthMeasurement& measurement, BenchClock clock)
 
 std::string textOf(const SoakVerdict& verdict, std::size_t renders)
 {
+    const auto mebibytes = [](std::uint64_t bytes) { return static_cast<double>(bytes) / kMebibyte; };
     return fmt::format(
-        "{} renders: {:.1f} MiB of its own after {}, {:.1f} MiB at the end: {:+.2f} %, at most {:.0f} %: {}\n", renders,
-        verdict.bytesAfterWarmUp / kMebibyte, kSoakWarmUp, verdict.bytesAtEnd / kMebibyte, 100.0 * verdict.growth,
+        "{} renders: {:.1f} MiB of its own after {}, {:.1f} at the end; allocated {:.1f} and {:.1f} MiB: "
+        "{:+.2f} %, at most {:.0f} %: {}\n",
+        renders, mebibytes(verdict.afterWarmUp.own), kSoakWarmUp, mebibytes(verdict.atEnd.own),
+        mebibytes(verdict.afterWarmUp.allocated), mebibytes(verdict.atEnd.allocated), 100.0 * verdict.growth,
         100.0 * kMostSoakGrowth, verdict.passed() ? "passed" : "GROWS");
 }
 

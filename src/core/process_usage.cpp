@@ -56,6 +56,8 @@ MemoryUse memoryUse()
         use.proportional += bytesOf(line, "Pss:");
         use.own += bytesOf(line, "Pss_Anon:") + bytesOf(line, "Pss_Shmem:");
     }
+    const struct mallinfo2 heap = mallinfo2();
+    use.allocated = heap.uordblks + heap.hblkhd; // in all arenas, and in pieces that were mapped by themselves
     return use;
 }
 

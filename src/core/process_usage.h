@@ -23,6 +23,7 @@ struct MemoryUse
 {
     std::uint64_t proportional = 0; // PSS: a page that n processes share counts as 1/n
     std::uint64_t own = 0;          // of it what comes from no file: no other process's start or end changes it
+    std::uint64_t allocated = 0; // and not given back: freed memory stays in the process, and hides what leaks into it
 };
 
 MemoryUse memoryUse();

@@ -2,17 +2,28 @@
 
 #include "measure/timing_statistics.h"
 
+#include <algorithm>
 #include <cassert>
 
 namespace torrance {
 namespace {
 
-double medianBytes(std::span<const MemoryUse> readings)
+MemoryUse medianUse(std::span<const MemoryUse> readings)
 {
-    std::vector<double> bytes;
-    for (const MemoryUse& reading : readings)
-        bytes.push_back(static_cast<double>(reading.own));
-    return median(bytes);
+    const auto medianOf = [&](std::uint64_t MemoryUse::*member) {
+        std::vector<double> bytes;
+        for (const MemoryUse& reading : readings)
+            bytes.push_back(static_cast<double>(reading.*member));
+        return static_cast<std::uint64_t>(median(bytes));
+    };
+    return {.proportional = medianOf(&MemoryUse::proportional),
+            .own = medianOf(&MemoryUse::own),
+            .allocated = medianOf(&MemoryUse::allocated)};
+}
+
+double growthOf(std::uint64_t before, std::uint64_t after)
+{
+    return static_cast<double>(after) - static_cast<double>(before);
 }
 
 } // namespace
@@ -31,9 +42,10 @@ std::vector<MemoryUse> soak(int renders, const std::function<void(int)>& render)
 SoakVerdict judgeSoak(std::span<const MemoryUse> readings)
 {
     assert(readings.size() > kSoakWarmUp + kSoakWindow);
-    const double before = medianBytes(readings.subspan(kSoakWarmUp - kSoakWindow, kSoakWindow));
-    const double after = medianBytes(readings.last(kSoakWindow));
-    return {.bytesAfterWarmUp = before, .bytesAtEnd = after, .growth = after / before - 1.0};
+    const MemoryUse before = medianUse(readings.subspan(kSoakWarmUp - kSoakWindow, kSoakWindow));
+    const MemoryUse after = medianUse(readings.last(kSoakWindow));
+    const double bytes = std::max(growthOf(before.own, after.own), growthOf(before.allocated, after.allocated));
+    return {.afterWarmUp = before, .atEnd = after, .growth = bytes / static_cast<double>(before.own)};
 }
 
 } // namespace torrance

@@ -18,9 +18,9 @@ std::vector<MemoryUse> soak(int renders, const std::function<void(int render)>& 
 
 struct SoakVerdict
 {
-    double bytesAfterWarmUp = 0.0; // of its own: PSS without the pages of files, which others' starts and ends change
-    double bytesAtEnd = 0.0;
-    double growth = 0.0; // of the second over the first
+    MemoryUse afterWarmUp;
+    MemoryUse atEnd;
+    double growth = 0.0; // of what is its own or of what is allocated, whichever grew by more, against what was its own
 
     bool passed() const { return growth <= kMostSoakGrowth; }
 };

@@ -57,6 +57,24 @@ TEST(MemoryUse, GrowsWithPagesThatAreTouched)
     EXPECT_LT(memoryUse().own, before.own + kMebibyte);
 }
 
+TEST(MemoryUse, KnowsWhatIsAllocatedBesideWhatIsResident)
+{
+    const MemoryUse before = memoryUse();
+    constexpr std::size_t kPiece = 1000, kPieces = 10000;
+    std::vector<std::unique_ptr<char[]>> pieces;
+    pieces.reserve(kPieces);
+    for (std::size_t i = 0; i < kPieces; ++i)
+        pieces.push_back(std::make_unique<char[]>(kPiece));
+    std::unique_ptr<char[]> untouched = std::make_unique_for_overwrite<char[]>(64 * kMebibyte); // mapped by itself
+    const MemoryUse held = memoryUse();
+    EXPECT_NEAR(static_cast<double>(held.allocated - before.allocated), double(kPiece * kPieces + 64 * kMebibyte),
+                double(kMebibyte));
+    EXPECT_LT(held.own, before.own + kPiece * kPieces + 2 * kMebibyte);
+    pieces.clear();
+    untouched.reset();
+    EXPECT_LT(memoryUse().allocated, before.allocated + kMebibyte);
+}
+
 TEST(MemorySampler, KeepsAPeakThatIsOver)
 {
     const std::uint64_t before = memoryUse().proportional;

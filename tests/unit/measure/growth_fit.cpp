@@ -55,6 +55,19 @@ TEST(FitLine, IsNotMovedByOnePointThatIsFarOff)
     }
 }
 
+// Five small sizes whose costs rise by 1 from one to the next for reasons of their own, and one far away: the slopes to
+// it are 0.01 less up to 4/995, those among the five, twice as many, all 1.01. Weights: 4985 and 20.
+TEST(FitLine, ListensToWhatLiesFarApart)
+{
+    const std::vector<double> sizes = {1.0, 2.0, 3.0, 4.0, 5.0, 1000.0};
+    std::vector<double> costs;
+    for (const double size : sizes)
+        costs.push_back(10.0 + 0.01 * size + (size < 10.0 ? size - 1.0 : 0.0));
+    const Line line = fitLine(sizes, costs);
+    EXPECT_LE(line.slope, 0.01);
+    EXPECT_GE(line.slope, 0.01 - 4.0 / 995.0 - 1e-12);
+}
+
 TEST(GrowthExponent, IsThatOfAPowerAboveAnyConstant)
 {
     for (const double p : {0.5, 1.0, 1.5, 2.0})

@@ -11,7 +11,7 @@ std::vector<MemoryUse> readings(int count, const std::function<double(int)>& byt
 {
     std::vector<MemoryUse> all;
     for (int i = 0; i < count; ++i)
-        all.push_back({.proportional = 0, .own = static_cast<std::uint64_t>(bytes(i))});
+        all.push_back({.proportional = 0, .own = static_cast<std::uint64_t>(bytes(i)), .allocated = 0});
     return all;
 }
 
@@ -26,6 +26,16 @@ TEST(JudgeSoak, LooksAtWhatGrowsAfterTheWarmUp)
     EXPECT_FALSE(leak.passed());
     // The same leak is not seen in 200 renders: 1e6 of 1e8.
     EXPECT_TRUE(judgeSoak(readings(200, [](int i) { return 1e8 + 1e4 * i; })).passed());
+}
+
+// 1e8 bytes are resident all the time, and more and more of them are in use.
+TEST(JudgeSoak, SeesALeakIntoWhatWasFreed)
+{
+    std::vector<MemoryUse> use = readings(200, [](int) { return 1e8; });
+    for (std::size_t i = 0; i < use.size(); ++i)
+        use[i].allocated = 20000000 + 30000 * i;
+    EXPECT_NEAR(judgeSoak(use).growth, 0.03, 1e-9);
+    EXPECT_FALSE(judgeSoak(use).passed());
 }
 
 TEST(JudgeSoak, IsNotFooledByOneReading)
