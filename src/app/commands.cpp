@@ -1,5 +1,6 @@
 #include "app/commands.h"
 
+#include "app/command_bench.h"
 #include "app/command_compare.h"
 #include "app/command_conform.h"
 #include "app/command_devices.h"
@@ -14,8 +15,8 @@ namespace torrance {
 
 std::vector<Command> allCommands()
 {
-    return {renderCommand(), referenceCommand(), inspectCommand(),   compareCommand(), methodsCommand(),
-            probeCommand(),  conformCommand(),   stabilityCommand(), devicesCommand()};
+    return {renderCommand(), referenceCommand(), inspectCommand(), compareCommand(),   methodsCommand(),
+            probeCommand(),  benchCommand(),     conformCommand(), stabilityCommand(), devicesCommand()};
 }
 
 } // namespace torrance

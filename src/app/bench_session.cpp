@@ -1,0 +1,67 @@
+#include "app/bench_session.h"
+
+#include "app/device_option.h"
+#include "app/version.h"
+#include "core/atomic_write.h"
+#include "core/data_folder.h"
+#include "core/standard_output.h"
+
+#include <ctime>
+
+namespace torrance {
+namespace {
+
+template <typename Work>
+auto timedPhase(std::vector<PhaseTime>& phases, const char* name, Work&& work)
+{
+    const TimeUse start = timeUse();
+    auto result = work();
+    phases.push_back({name, timeUse() - start});
+    return result;
+}
+
+std::string today()
+{
+    const std::time_t now = std::time(nullptr);
+    char text[16];
+    std::strftime(text, sizeof text, "%F", std::gmtime(&now));
+    return text;
+}
+
+} // namespace
+
+BenchSession::BenchSession(const BenchOptions& o, const GlobalOptions& g)
+    : options(o), global(g), variants(frameVariants(o)),
+      environment(timedPhase(phases, "environment",
+                             [&] { return loadChosenEnvironment(o.environment, frameSettings(o.frame).methods); })),
+      device(timedPhase(phases, "device", [&] { return openDevice(o.device, g); })),
+      shaders(dataFolder() / "shaders", cacheFolder(g)),
+      clock(device.description.kind == "CPU" ? BenchClock::processor : BenchClock::wall)
+{
+}
+
+BenchRecord BenchSession::emptyRecord() const
+{
+    return {.program = versionText(),
+            .date = today(),
+            .machine = thisMachine(device.description),
+            .clock = clock,
+            .startUp = phases,
+            .results = {},
+            .peakBytes = 0,
+            .peakResidentBytes = 0};
+}
+
+void BenchSession::say(const std::string& text) const
+{
+    if (global.json != "-")
+        writeStandardOutput(text);
+}
+
+void BenchSession::writeCsv(const std::string& text) const
+{
+    if (!options.csv.empty())
+        writeFile(options.csv, text);
+}
+
+} // namespace torrance

@@ -1,0 +1,83 @@
+#include "app/frame_options.h"
+
+#include "app/option_value.h"
+#include "brdf/environment.h"
+#include "core/error.h"
+#include "passes/surface_pass.h"
+
+#include <CLI/CLI.hpp>
+
+namespace torrance {
+namespace {
+
+constexpr int kMaxSamples = 4096;
+constexpr int kMaxDirections = 65536; // seconds per picture of a thumbnail
+
+// Counted are the targets (colour, sum, depth, layers, G-buffer), each ordinary memory on a software driver, one copy
+// for reading back and one for writing.
+double bytesPerPixel(const FrameOptions& o, bool layers)
+{
+    const double colorTargets = (o.samples > 1 ? 2.0 : 1.0) + (layers ? double(kLayerTargets) : 0.0) +
+                                (o.path == "deferred" ? double(kGBufferTargets) : 0.0);
+    return 16.0 * (colorTargets + 2.0) + 4.0;
+}
+
+RenderPath pathOf(const std::string& name)
+{
+    return name == "prepass"      ? RenderPath::prepass
+           : name == "attributes" ? RenderPath::attributes
+           : name == "deferred"   ? RenderPath::deferred
+                                  : RenderPath::forward;
+}
+
+} // namespace
+
+void declareFrameOptions(CLI::App& app, FrameOptions& o)
+{
+    declarePictureOptions(app, o.picture);
+    app.add_option("--samples", o.samples, "Samples per pixel, placed by the reconstruction filter (default 1)")
+        ->group("Output")
+        ->check(CLI::Range(1, kMaxSamples));
+    addChoice(app, "--path", o.path, {"forward", "prepass", "attributes", "deferred"},
+              "Shade surfaces as they are drawn, draw depth first, shade each pixel once from what was interpolated, or "
+              "from a G-buffer of floats")
+        ->group("Methods");
+    declareMethodOptions(app, o.methods);
+    app.add_option(
+           "--environment-samples", o.environmentSamples,
+           "Directions per pixel and picture of the environment_specular methods that draw samples (default 64)")
+        ->group("Methods")
+        ->check(CLI::Range(1, kMaxDirections));
+    app.add_option("--light-samples", o.lightSamples,
+                   "Directions per pixel, picture and light of --area-light sampled (default 64)")
+        ->group("Methods")
+        ->check(CLI::Range(1, kMaxDirections));
+}
+
+Settings frameSettings(const FrameOptions& o, bool layers)
+{
+    const ivec2 size = chosenSize(o.picture);
+    checkMemory(o.picture, bytesPerPixel(o, layers));
+    const Background background = chosenBackground(o.picture);
+    const brdf::Preset methods = chooseMethods(o.methods);
+    if (o.environmentSamples && !(methods.environmentSpecular && brdf::drawsSamples(*methods.environmentSpecular)))
+        throw usageError("--environment-samples is for methods that draw samples, and the environment's is " +
+                             std::string(methods.environmentSpecular ? methods.environmentSpecular->id : "none"),
+                         "choose one with --environment-specular, such as vndf_bounded");
+    if (o.lightSamples && methods.areaLight->id != "sampled")
+        throw usageError("--light-samples is for --area-light sampled, and the method is " +
+                             std::string(methods.areaLight->id),
+                         "choose it, or leave the number out");
+    return {.methods = methods,
+            .width = size.x,
+            .height = size.y,
+            .samples = o.samples,
+            .environmentSamples = o.environmentSamples.value_or(Settings().environmentSamples),
+            .lightSamples = o.lightSamples.value_or(Settings().lightSamples),
+            .background = background.kind,
+            .backgroundColor = background.color,
+            .path = pathOf(o.path),
+            .layers = layers};
+}
+
+} // namespace torrance

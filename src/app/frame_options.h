@@ -1,0 +1,33 @@
+// How a frame is drawn, whatever becomes of it, by options that several commands share.
+#pragma once
+
+#include "app/method_options.h"
+#include "app/picture_options.h"
+#include "plan/settings.h"
+
+#include <optional>
+#include <string>
+
+namespace CLI {
+class App;
+}
+
+namespace torrance {
+
+struct FrameOptions
+{
+    PictureOptions picture;
+    int samples = 1;
+    std::string path = "forward";
+    MethodOptions methods;
+    std::optional<int> environmentSamples;
+    std::optional<int> lightSamples;
+};
+
+/// The options of the picture, --samples, --path, those of the methods, --environment-samples and --light-samples.
+void declareFrameOptions(CLI::App& app, FrameOptions& options);
+
+/// Error (usage) where a picture is too large for this machine, options contradict each other or have no effect.
+Settings frameSettings(const FrameOptions& options, bool layers = false);
+
+} // namespace torrance
