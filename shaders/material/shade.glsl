@@ -22,7 +22,8 @@ float alphaOf(Surface s)
 }
 
 #ifdef PUNCTUAL_LIGHTS
-layout(set = 0, binding = kBindLights, scalar) uniform LightBlock { Light lights[kMaxLights]; };
+// The frame's own block once more: three uniform blocks are the most that a shader may have (src/gpu/pipeline.cpp).
+layout(set = 0, binding = kBindFrame, scalar) uniform LightBlock { Frame sameFrame; Light lights[kMaxLights]; };
 
 // The surface's terms for light from `l`, unit.
 BrdfTerms reflectedTerms(Surface s, float alpha, LobeAlbedo lobe, vec3 l)

@@ -6,10 +6,9 @@
 
 SHARED_BEGIN
 
-SHARED_UINT(kBindFrame, 0);
-SHARED_UINT(kBindInstance, 1);  // of the analytic shape that is drawn
-SHARED_UINT(kBindMaterial, 2);  // of what is drawn
-SHARED_UINT(kBindLights, 3);
+SHARED_UINT(kBindFrame, 0); // and the lights, behind it
+SHARED_UINT(kBindInstance, 1); // of the analytic shape that is drawn
+SHARED_UINT(kBindMaterial, 2); // of what is drawn
 SHARED_UINT(kBindBaseColor, 4);
 SHARED_UINT(kBindScalars, 5); // occlusion, roughness, metallic
 SHARED_UINT(kBindNormal, 6);

@@ -7,7 +7,7 @@ SHARED_BEGIN
 
 // KHR_lights_punctual. Directional lights use direction and intensity; point lights add position and range; spot lights
 // add the cone.
-SHARED_UINT(kMaxLights, 1024); // as many as 64 KiB hold, the uniform block that every device has
+SHARED_UINT(kMaxLights, 1024); // with the frame before them they fit into 64 KiB, the uniform block that every device has
 
 struct Light
 {

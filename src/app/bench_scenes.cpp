@@ -26,7 +26,6 @@ std::vector<TimedItem> startItems(BenchSession& session, BenchRecord& record)
         items.push_back({source, std::make_unique<BenchItem>(session.device, session.shaders,
                                                              cacheFolder(session.global), source)});
         record.results.push_back(describe(items.back()));
-        record.results.back().path = session.variants[(items.size() - 1) % session.variants.size()].frame.path;
     }
     record.peakBytes = memory.peak();
     return items;

@@ -18,12 +18,16 @@ constexpr int kMaxDirections = 65536; // seconds per picture of a thumbnail
 double bytesPerPixel(const FrameOptions& o, bool layers)
 {
     const double colorTargets = (o.samples > 1 ? 2.0 : 1.0) + (layers ? double(kLayerTargets) : 0.0) +
-                                (o.path == "deferred" ? double(kGBufferTargets) : 0.0);
+                                (o.path == "deferred"                         ? double(kGBufferTargets)
+                                 : o.path == "attributes" || o.path == "auto" ? 2.0
+                                                                              : 0.0);
     return 16.0 * (colorTargets + 2.0) + 4.0;
 }
 
-RenderPath pathOf(const std::string& name)
+std::optional<RenderPath> pathOf(const std::string& name)
 {
+    if (name == "auto")
+        return std::nullopt;
     return name == "prepass"      ? RenderPath::prepass
            : name == "attributes" ? RenderPath::attributes
            : name == "deferred"   ? RenderPath::deferred
@@ -38,9 +42,10 @@ void declareFrameOptions(CLI::App& app, FrameOptions& o)
     app.add_option("--samples", o.samples, "Samples per pixel, placed by the reconstruction filter (default 1)")
         ->group("Output")
         ->check(CLI::Range(1, kMaxSamples));
-    addChoice(app, "--path", o.path, {"forward", "prepass", "attributes", "deferred"},
-              "Shade surfaces as they are drawn, draw depth first, shade each pixel once from what was interpolated, or "
-              "from a G-buffer of floats")
+    addChoice(
+        app, "--path", o.path, {"auto", "forward", "prepass", "attributes", "deferred"},
+        "Shade surfaces as they are drawn, draw depth first, shade each pixel once from what was interpolated, or "
+        "from a G-buffer of floats (default auto: what is fastest for the scene)")
         ->group("Methods");
     declareMethodOptions(app, o.methods);
     app.add_option(

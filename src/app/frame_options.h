@@ -18,7 +18,7 @@ struct FrameOptions
 {
     PictureOptions picture;
     int samples = 1;
-    std::string path = "forward";
+    std::string path = "auto";
     MethodOptions methods;
     std::optional<int> environmentSamples;
     std::optional<int> lightSamples;

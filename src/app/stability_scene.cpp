@@ -60,7 +60,10 @@ ExitCode runSceneTrialsOf(const SceneTrialOptions& o, const std::string& deviceC
     const Settings settings = {.methods = *brdf::findPreset("standard"),
                                .width = size.x,
                                .height = size.y,
-                               .background = BackgroundKind::transparent};
+                               .background = BackgroundKind::transparent,
+                               // What a trial alters may move a surface from one path to another, whose mips are chosen
+                               // by other roundings: one path for all.
+                               .path = RenderPath::prepass};
     const std::optional<Environment> environment = loadChosenEnvironment(o.environment, settings.methods);
     Subject subject = {.scene = loadLitScene(o.scene, {}, settings.methods, environment, input).scene, .camera = {}};
     subject.camera =

@@ -46,6 +46,19 @@ bool blendsFloat32(const vk::raii::PhysicalDevice& physical)
     return bool(features & vk::FormatFeatureFlagBits::eColorAttachmentBlend);
 }
 
+bool drawsDepthStencil(const vk::raii::PhysicalDevice& physical)
+{
+    const auto features = physical.getFormatProperties(vk::Format::eD32SfloatS8Uint).optimalTilingFeatures;
+    constexpr auto kNeeded =
+        vk::FormatFeatureFlagBits::eDepthStencilAttachment | vk::FormatFeatureFlagBits::eSampledImage;
+    return (features & kNeeded) == kNeeded;
+}
+
+// The lights of a scene, and the materials that are shaded together.
+constexpr std::uint32_t kUniformBlockBytes = 64 << 10;
+// Of a vertex and of its instance: as many as Vulkan requires of every device.
+constexpr std::uint32_t kVertexAttributes = 16;
+
 std::vector<std::string> missingParts(const vk::raii::PhysicalDevice& physical)
 {
     std::vector<std::string> missing;
@@ -62,6 +75,11 @@ std::vector<std::string> missingParts(const vk::raii::PhysicalDevice& physical)
     need(chain.get<vk::PhysicalDeviceVulkan13Features>().synchronization2, "synchronization2");
     need(filtersFloat32(physical), "linear filtering of R32G32B32A32_SFLOAT");
     need(blendsFloat32(physical), "blending of R32G32B32A32_SFLOAT");
+    const vk::PhysicalDeviceLimits limits = physical.getProperties().limits;
+    need(limits.maxUniformBufferRange >= kUniformBlockBytes, "uniform blocks of 64 KiB");
+    need(limits.maxVertexInputAttributes >= kVertexAttributes && limits.maxVertexInputBindings >= kVertexAttributes,
+         "16 vertex attributes of a binding each");
+    need(drawsDepthStencil(physical), "depth and stencil in D32_SFLOAT_S8_UINT");
     need(graphicsQueueFamily(physical).has_value(), "a graphics queue");
     const auto available = physical.enumerateDeviceExtensionProperties();
     for (const char* extension : kExtensions)

@@ -17,8 +17,7 @@ constexpr vk::DeviceSize kLargeImage = 4 << 20; // holds a large page whole
 void preferHugePagesOnHost(const Device& device, const vk::raii::DeviceMemory& memory, std::uint32_t type,
                            vk::DeviceSize size)
 {
-    const bool mappable =
-        bool(device.memory.memoryTypes[type].propertyFlags & MemoryBit::eHostVisible);
+    const bool mappable = bool(device.memory.memoryTypes[type].propertyFlags & MemoryBit::eHostVisible);
     if (device.description.kind != "CPU" || !mappable || size < kLargeImage)
         return;
     preferHugePages(memory.mapMemory(0, VK_WHOLE_SIZE), size);
@@ -53,26 +52,25 @@ DeviceImage makeImage(const Device& device, const ImageShape& shape, vk::ImageUs
                              device.description.name + " can hold (" + std::to_string(limit) + " a side)",
                          "choose a smaller size");
     const bool inRows = tiling == ImageTiling::rows;
-    const vk::ImageCreateInfo info = {.flags = shape.cube ? vk::ImageCreateFlagBits::eCubeCompatible
-                                                          : vk::ImageCreateFlags{},
-                                      .imageType = vk::ImageType::e2D,
-                                      .format = shape.format,
-                                      .extent = {shape.width, shape.height, 1},
-                                      .mipLevels = shape.mips,
-                                      .arrayLayers = shape.layers,
-                                      .samples = vk::SampleCountFlagBits::e1,
-                                      .tiling = inRows ? vk::ImageTiling::eLinear : vk::ImageTiling::eOptimal,
-                                      .usage = usage,
-                                      .initialLayout = inRows ? vk::ImageLayout::ePreinitialized
-                                                              : vk::ImageLayout::eUndefined};
+    const vk::ImageCreateInfo info = {
+        .flags = shape.cube ? vk::ImageCreateFlagBits::eCubeCompatible : vk::ImageCreateFlags{},
+        .imageType = vk::ImageType::e2D,
+        .format = shape.format,
+        .extent = {shape.width, shape.height, 1},
+        .mipLevels = shape.mips,
+        .arrayLayers = shape.layers,
+        .samples = vk::SampleCountFlagBits::e1,
+        .tiling = inRows ? vk::ImageTiling::eLinear : vk::ImageTiling::eOptimal,
+        .usage = usage,
+        .initialLayout = inRows ? vk::ImageLayout::ePreinitialized : vk::ImageLayout::eUndefined};
     DeviceImage image;
     image.shape = shape;
     image.history.layout = info.initialLayout;
     vk::raii::Image handle(device.handle, info);
     const vk::MemoryRequirements needs = handle.getMemoryRequirements();
     const std::uint32_t type = device.memoryType(
-        needs.memoryTypeBits,
-        inRows ? MemoryBit::eHostVisible | MemoryBit::eHostCoherent : vk::MemoryPropertyFlags{}, MemoryBit::eDeviceLocal);
+        needs.memoryTypeBits, inRows ? MemoryBit::eHostVisible | MemoryBit::eHostCoherent : vk::MemoryPropertyFlags{},
+        MemoryBit::eDeviceLocal);
     image.memory = vk::raii::DeviceMemory(device.handle, {.allocationSize = needs.size, .memoryTypeIndex = type});
     preferHugePagesOnHost(device, image.memory, type, needs.size);
     image.handle = std::move(handle);
@@ -84,13 +82,13 @@ DeviceImage makeImage(const Device& device, const ImageShape& shape, vk::ImageUs
          .format = shape.format,
          .subresourceRange = {.aspectMask = image.aspect(), .levelCount = shape.mips, .layerCount = shape.layers}});
     if (hasStencil(shape.format) && (usage & vk::ImageUsageFlagBits::eSampled)) {
-        image.depthView = vk::raii::ImageView(
-            device.handle,
-            {.image = *image.handle,
-             .viewType = vk::ImageViewType::e2D,
-             .format = shape.format,
-             .subresourceRange = {
-                 .aspectMask = vk::ImageAspectFlagBits::eDepth, .levelCount = shape.mips, .layerCount = shape.layers}});
+        image.depthView =
+            vk::raii::ImageView(device.handle, {.image = *image.handle,
+                                                .viewType = vk::ImageViewType::e2D,
+                                                .format = shape.format,
+                                                .subresourceRange = {.aspectMask = vk::ImageAspectFlagBits::eDepth,
+                                                                     .levelCount = shape.mips,
+                                                                     .layerCount = shape.layers}});
         device.name(image.depthView, name);
     }
     device.name(image.memory, name);

@@ -54,7 +54,8 @@ struct LevelRows
     std::size_t rowPitch = 0; // bytes from one to the next
 };
 
-/// An image in rows can be sampled as well as any other: so it is on a processor, whose driver keeps all images in rows.
+/// An image in rows can be sampled as well as any other: so it is on a processor, whose driver keeps all images in
+/// rows.
 bool canSampleRows(const Device& device, const ImageShape& shape);
 
 /// Maps a new image in rows of one layer while `write` fills its levels, from large to small.

@@ -2,10 +2,17 @@
 
 #include <algorithm>
 #include <array>
+#include <cassert>
+#include <cstddef>
 #include <stdexcept>
 
 namespace torrance::gpu {
 namespace {
+
+// lavapipe of Mesa 22.3 notes the values of uniform blocks that branches depend on, so as to inline them, and where a
+// shader has four blocks writes past the end of its notes: lvp_inline_uniforms.c takes rows of 4 numbers to be 32
+// apart.
+constexpr std::ptrdiff_t kMostUniformBlocks = 3;
 
 std::vector<ShaderBinding> mergedBindings(const CompiledShader& vertex, const CompiledShader* fragment)
 {
@@ -14,6 +21,7 @@ std::vector<ShaderBinding> mergedBindings(const CompiledShader& vertex, const Co
         if (std::ranges::find(all, binding) == all.end())
             all.push_back(binding);
     std::ranges::sort(all, {}, &ShaderBinding::binding);
+    assert(std::ranges::count(all, vk::DescriptorType::eUniformBuffer, &ShaderBinding::type) <= kMostUniformBlocks);
     return all;
 }
 

@@ -75,6 +75,8 @@ std::vector<ShaderBinding> reflect(glslang::TProgram& program)
                 {static_cast<std::uint32_t>(uniform.getBinding()), vk::DescriptorType::eCombinedImageSampler});
     }
     std::ranges::sort(bindings, {}, &ShaderBinding::binding);
+    const auto again = std::ranges::unique(bindings); // declared twice: two views of one block
+    bindings.erase(again.begin(), again.end());
     return bindings;
 }
 

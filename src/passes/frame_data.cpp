@@ -1,6 +1,7 @@
 #include "passes/frame_data.h"
 
 #include "plan/attribute_plan.h"
+#include "plan/light_plan.h"
 #include "scene/camera_view.h"
 
 #include <algorithm>
@@ -167,12 +168,17 @@ std::vector<shared::Material> makeMaterials(const Scene& scene, const ShadingPla
                                    .normalUv = uvTransform(m.normal),
                                    .occlusionUv = uvTransform(m.occlusion),
                                    .emissiveUv = uvTransform(m.emissive),
-                                   .slot = static_cast<std::uint32_t>(block.slot)};
+                                   .slot = static_cast<std::uint32_t>(block.slot),
+                                   .texels = vec2(0.0f),
+                                   .levels = vec4(0.0f),
+                                   .occlusionLevel = 0.0f};
         setLevels(result, scene, plan, block.textures);
         materials.push_back(result);
     }
     return materials;
 }
+
+static_assert(kMostLights == shared::kMaxLights);
 
 std::vector<shared::Light> makeLights(const ShadingPlan& plan, const dvec3& eye)
 {

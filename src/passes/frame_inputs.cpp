@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cstring>
 #include <span>
 
 namespace torrance {
@@ -28,11 +29,21 @@ shared::Frame frameOf(const DeviceScene& scene, const Camera& camera, const dvec
     return frame;
 }
 
+// The frame and its lights as they lie in the shaders' scalar layout.
+std::vector<std::byte> frameBlock(const shared::Frame& frame, const std::vector<shared::Light>& lights)
+{
+    constexpr std::size_t kBytes = sizeof(shared::Frame) + shared::kMaxLights * sizeof(shared::Light);
+    static_assert(sizeof(shared::Frame) % alignof(shared::Light) == 0 && kBytes <= 64 << 10);
+    std::vector<std::byte> block(kBytes);
+    std::memcpy(block.data(), &frame, sizeof frame);
+    std::ranges::copy(bytesOf(lights), block.begin() + sizeof frame);
+    return block;
+}
+
 gpu::Bindings bindingsOf(const FrameInputs& frame, const FrameSamplers& samplers)
 {
     gpu::Bindings bindings;
     bindings.set(shared::kBindFrame, frame.frame);
-    bindings.set(shared::kBindLights, frame.lights);
     const EnvironmentImages& environment = frame.scene.environment;
     if (environment.specular)
         bindings.set(shared::kBindEnvironmentSpecular, *environment.specular, samplers.table);
@@ -53,21 +64,19 @@ FrameInputs makeFrameInputs(const gpu::Device& device, const DeviceScene& scene,
                             const FrameSamplers& samplers, const dvec2& offset, int picture)
 {
     using Usage = vk::BufferUsageFlagBits;
-    const std::vector frames = {frameOf(scene, camera, offset, picture)};
     const dvec3 eye = cameraPosition(camera);
     const std::vector<shared::Instance> instances = makeInstances(scene.plan, scene.meshes, eye);
     const std::size_t shapeInstances = scene.scene.shapes.empty() ? 0 : instances.size();
-    std::vector<shared::Light> lights = makeLights(scene.plan, eye);
-    lights.resize(shared::kMaxLights);
-    FrameInputs frame = {.scene = scene,
-                         .camera = camera,
-                         .frame = gpu::makeBuffer(device, bytesOf(frames), Usage::eUniformBuffer, "frame"),
-                         .instances = gpu::makeBuffer(device, bytesOf(instances), Usage::eVertexBuffer, "instances"),
-                         .shapeInstances =
-                             gpu::makeUniformBlocks(device, shared::kBindInstance,
-                                                    std::span(instances).first(shapeInstances), "shape instances"),
-                         .lights = gpu::makeBuffer(device, bytesOf(lights), Usage::eUniformBuffer, "lights"),
-                         .bindings = {}};
+    FrameInputs frame = {
+        .scene = scene,
+        .camera = camera,
+        .frame =
+            gpu::makeBuffer(device, frameBlock(frameOf(scene, camera, offset, picture), makeLights(scene.plan, eye)),
+                            Usage::eUniformBuffer, "frame"),
+        .instances = gpu::makeBuffer(device, bytesOf(instances), Usage::eVertexBuffer, "instances"),
+        .shapeInstances = gpu::makeUniformBlocks(device, shared::kBindInstance,
+                                                 std::span(instances).first(shapeInstances), "shape instances"),
+        .bindings = {}};
     frame.bindings = bindingsOf(frame, samplers);
     return frame;
 }
@@ -82,7 +91,6 @@ void useFrame(gpu::Commands& commands, const FrameInputs& frame)
     const std::array buffers = {gpu::use(frame.frame, gpu::Access::shaderRead),
                                 gpu::use(frame.instances, gpu::Access::vertexRead),
                                 gpu::use(frame.shapeInstances.buffer, gpu::Access::shaderRead),
-                                gpu::use(frame.lights, gpu::Access::shaderRead),
                                 gpu::use(frame.scene.materials.buffer, gpu::Access::shaderRead),
                                 gpu::use(frame.scene.meshes.vertices, gpu::Access::vertexRead),
                                 gpu::use(frame.scene.meshes.indices, gpu::Access::vertexRead)};

@@ -10,10 +10,9 @@ struct FrameInputs
 {
     const DeviceScene& scene;
     const Camera& camera;
-    gpu::Buffer frame;
-    gpu::Buffer instances;             // shared::Instance by ShadingPlan::instances, a vertex shader's
+    gpu::Buffer frame;     // and kMaxLights lights behind it, whatever their number: so large is the shaders' block
+    gpu::Buffer instances; // shared::Instance by ShadingPlan::instances, a vertex shader's
     gpu::UniformBlocks shapeInstances; // the same, where there are analytic shapes
-    gpu::Buffer lights;                // kMaxLights of them, whatever their number: so large is the shader's block
     gpu::Bindings bindings;            // all but those that change from draw to draw
 };
 

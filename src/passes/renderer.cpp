@@ -52,7 +52,7 @@ dvec3 forwardOf(const Camera& camera)
 
 Renderer::Renderer(const gpu::Device& d, gpu::ShaderLibrary& s, const std::filesystem::path& cacheFolder)
     : device(d), shaders(s), environments(d, cacheFolder), tableSampler(makeTableSampler(d)),
-      panoramaSampler(makePanoramaSampler(d)), surfacePipelines(d, s)
+      pointSampler(makePointSampler(d)), panoramaSampler(makePanoramaSampler(d)), surfacePipelines(d, s)
 {
 }
 
@@ -90,7 +90,7 @@ void Renderer::drawBackground(gpu::Commands& commands, const FrameInputs& frame)
 {
     if (!frame.scene.plan.panorama)
         return; // the target was cleared to it
-    const bool attributes = frame.scene.plan.settings.path == RenderPath::attributes;
+    const bool attributes = frame.scene.plan.path == RenderPath::attributes;
     const gpu::Pipeline& pipeline = imagePipeline("passes/background.frag", "",
                                                   {.name = "background",
                                                    .colorFormats = {kColorFormat},
@@ -111,15 +111,15 @@ FrameInputs Renderer::inputsOf(const DeviceScene& scene, const Camera& camera, c
 void Renderer::prepareTargets(const ShadingPlan& plan)
 {
     const Settings& settings = plan.settings;
-    const std::size_t pictures = attributesHaveUv(plan) ? 2 : 1;
+    const std::size_t pictures = attributePictures(plan);
     if (targets.width != settings.width || targets.height != settings.height) {
         targets = {}; // the old ones go before the new ones come
         targets.width = settings.width;
         targets.height = settings.height;
         targets.color = makeColorTarget(device, settings.width, settings.height, "color");
     }
-    const bool attributes = settings.path == RenderPath::attributes;
-    if (settings.path == RenderPath::deferred && targets.gbuffer.empty())
+    const bool attributes = plan.path == RenderPath::attributes;
+    if (plan.path == RenderPath::deferred && targets.gbuffer.empty())
         targets.gbuffer = makeGBuffer(device, settings.width, settings.height);
     if (attributes && (!targets.attributes || targets.attributes->pictures.size() < pictures))
         targets.attributes = makeAttributeTargets(device, settings.width, settings.height, pictures);
@@ -160,7 +160,7 @@ void Renderer::drawLighting(gpu::Commands& commands, const FrameInputs& frame)
 {
     const ShadingPlan& plan = frame.scene.plan;
     gpu::Bindings bindings = frame.bindings;
-    bindGBuffer(bindings, targets.gbuffer, tableSampler);
+    bindGBuffer(bindings, targets.gbuffer, pointSampler);
     for (std::size_t i = 0; i < plan.lightingClasses.size(); ++i) {
         const LightingForm form = lightingForm(plan, i);
         const gpu::Pipeline& pipeline = imagePipeline("passes/lighting.frag", form.selected, form.description);
@@ -173,8 +173,8 @@ void Renderer::drawLighting(gpu::Commands& commands, const FrameInputs& frame)
 void Renderer::drawAttributes(gpu::Commands& commands, const FrameInputs& frame)
 {
     std::vector<const gpu::DeviceImage*> pointers;
-    for (const gpu::DeviceImage& picture : targets.attributes->pictures)
-        pointers.push_back(&picture);
+    for (std::size_t i = 0; i < attributePictures(frame.scene.plan); ++i) // there may be more, of another plan
+        pointers.push_back(&targets.attributes->pictures[i]);
     // What lies under no class is never read: nothing is cleared but depth and classes.
     beginRendering(commands, pointers, &targets.attributes->depth, kKeep, LoadTarget::clear);
     for (const Batch& batch : frame.scene.plan.batches) {
@@ -201,7 +201,7 @@ void Renderer::resolveAttributes(gpu::Commands& commands, const FrameInputs& fra
         const gpu::Pipeline& pipeline = imagePipeline("passes/resolve.frag", form.selected, form.description);
         commands.buffer.bindPipeline(vk::PipelineBindPoint::eGraphics, *pipeline.handle);
         commands.buffer.setStencilReference(vk::StencilFaceFlagBits::eFrontAndBack, static_cast<std::uint32_t>(i + 1));
-        resolveBindings(frame, i, *targets.attributes, tableSampler).push(commands.buffer, pipeline);
+        resolveBindings(frame, i, *targets.attributes, pointSampler).push(commands.buffer, pipeline);
         commands.buffer.setScissor(0, rectangleOf(areas[i])); // outside, even the test of the stencil costs
         commands.buffer.draw(3, 1, 0, 0);
     }
@@ -232,7 +232,7 @@ void Renderer::drawBlended(gpu::Commands& commands, const FrameInputs& frame)
 void Renderer::drawSurfaces(gpu::Commands& commands, const FrameInputs& frame)
 {
     const ShadingPlan& plan = frame.scene.plan;
-    const RenderPath path = plan.settings.path;
+    const RenderPath path = plan.path;
     if (path == RenderPath::deferred)
         commands.use(gbufferUses(targets.gbuffer));
     const std::array colors = {&targets.color};
@@ -278,7 +278,7 @@ void Renderer::run(const std::vector<Pass>& passes, const FrameInputs& frame, co
 void Renderer::drawColor(const DeviceScene& scene, const Camera& camera, const dvec2& offset, int picture,
                          const PassObserver& observer)
 {
-    const RenderPath path = scene.plan.settings.path;
+    const RenderPath path = scene.plan.path;
     prepareTargets(scene.plan);
     const FrameInputs frame = inputsOf(scene, camera, offset, picture);
     std::vector<Pass> passes;

@@ -99,6 +99,7 @@ private:
     gpu::ShaderLibrary& shaders;
     EnvironmentStore environments;
     vk::raii::Sampler tableSampler;
+    vk::raii::Sampler pointSampler;
     vk::raii::Sampler panoramaSampler;
     SurfacePipelines surfacePipelines;
     std::map<std::string, gpu::Pipeline> imagePipelines;

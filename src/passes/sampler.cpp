@@ -67,4 +67,13 @@ vk::raii::Sampler makePanoramaSampler(const gpu::Device& device)
     return trilinear(device, Mode::eRepeat, Mode::eClampToEdge, "panorama sampler");
 }
 
+vk::raii::Sampler makePointSampler(const gpu::Device& device)
+{
+    vk::raii::Sampler sampler(device.handle, vk::SamplerCreateInfo{.addressModeU = Mode::eClampToEdge,
+                                                                   .addressModeV = Mode::eClampToEdge,
+                                                                   .addressModeW = Mode::eClampToEdge});
+    device.name(sampler, "point sampler");
+    return sampler;
+}
+
 } // namespace torrance

@@ -121,7 +121,7 @@ OutputForm formOf(const ShadingPlan& plan, const ShaderKey& key, SurfaceOutput o
     case SurfaceOutput::layers:
         return {"passes/surface_layers.frag", kLayerTargets, {}};
     case SurfaceOutput::attributes:
-        return {"passes/attributes.frag", attributesHaveUv(plan) ? 2u : 1u, {}};
+        return {"passes/attributes.frag", attributePictures(plan), {}};
     case SurfaceOutput::gbuffer:
         return {"passes/gbuffer.frag", kGBufferTargets, {lightingClassIndex(plan, key)}};
     case SurfaceOutput::color:
@@ -143,7 +143,7 @@ gpu::PipelineDescription describePipeline(const ShadingPlan& plan, const ShaderK
                                           const OutputForm& form)
 {
     const bool attributes = output == SurfaceOutput::attributes;
-    const bool besideClasses = plan.settings.path == RenderPath::attributes && output != SurfaceOutput::layers;
+    const bool besideClasses = plan.path == RenderPath::attributes && output != SurfaceOutput::layers;
     const bool blends = key.alphaMode == AlphaMode::blend && output == SurfaceOutput::color;
     gpu::PipelineDescription description = {
         .name = key.name(),

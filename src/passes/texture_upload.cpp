@@ -31,7 +31,8 @@ void writeInPlace(const gpu::DeviceImage& image, const WriteLevels& write)
     });
 }
 
-void copyOver(const gpu::Device& device, const gpu::DeviceImage& image, std::size_t texelBytes, const WriteLevels& write)
+void copyOver(const gpu::Device& device, const gpu::DeviceImage& image, std::size_t texelBytes,
+              const WriteLevels& write)
 {
     std::vector<std::size_t> offsets, pitches;
     std::size_t size = 0;
@@ -78,18 +79,17 @@ gpu::DeviceImage makeTexture(const gpu::Device& device, const Scene& scene, cons
         .content = texture.content, .weighByAlpha = texture.weighByAlpha, .lengthInAlpha = texture.lengthInAlpha};
     const TexelStorage storage = storageOf(pictures.format(), rule);
     const bool mips = texture.sampler.mip != MipFilter::none;
-    const gpu::ImageShape shape = {
-        .width = static_cast<std::uint32_t>(picture.width),
-        .height = static_cast<std::uint32_t>(picture.height),
-        .mips = mips ? static_cast<std::uint32_t>(mipCount(picture.width, picture.height)) : 1,
-        .format = formatOf(storage)};
+    const gpu::ImageShape shape = {.width = static_cast<std::uint32_t>(picture.width),
+                                   .height = static_cast<std::uint32_t>(picture.height),
+                                   .mips =
+                                       mips ? static_cast<std::uint32_t>(mipCount(picture.width, picture.height)) : 1,
+                                   .format = formatOf(storage)};
     const WriteLevels write = [&](std::span<const LevelMemory> levels) {
         isOnePicture(pictures) ? writeLevels(picture, rule, levels) : writePackedLevels(pictures, rule, levels);
     };
     using Usage = vk::ImageUsageFlagBits;
     if (gpu::canSampleRows(device, shape)) {
-        gpu::DeviceImage image =
-            gpu::makeImage(device, shape, Usage::eSampled, picture.name, gpu::ImageTiling::rows);
+        gpu::DeviceImage image = gpu::makeImage(device, shape, Usage::eSampled, picture.name, gpu::ImageTiling::rows);
         writeInPlace(image, write);
         return image;
     }

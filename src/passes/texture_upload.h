@@ -3,7 +3,6 @@
 
 #include "gpu/image.h"
 #include "plan/shading_plan.h"
-#include "prepare/mips.h"
 
 #include <map>
 #include <vector>

@@ -163,9 +163,9 @@ ShaderKey resolveKey(const ShaderKey& key)
     return rest;
 }
 
-bool attributesHaveUv(const ShadingPlan& plan)
+std::size_t attributePictures(const ShadingPlan& plan)
 {
-    return std::ranges::any_of(plan.classes, [](const ShadingClass& c) { return c.key.usesUv(0); });
+    return std::ranges::any_of(plan.classes, [](const ShadingClass& c) { return c.key.usesUv(0); }) ? 2 : 1;
 }
 
 ivec2 sizeOf(const Scene& scene, const PlannedTexture& texture)

@@ -16,8 +16,8 @@ void planAttributes(const Scene& scene, ShadingPlan& plan);
 /// What of a surface's key decides how it is shaded from its attributes.
 ShaderKey resolveKey(const ShaderKey& key);
 
-/// Whether some class reads texture coordinates: the second picture of attributes exists.
-bool attributesHaveUv(const ShadingPlan& plan);
+/// How many pictures hold attributes: the second is of texture coordinates, which some class must read.
+std::size_t attributePictures(const ShadingPlan& plan);
 
 /// Width and height of a planned texture.
 ivec2 sizeOf(const Scene& scene, const PlannedTexture& texture);

@@ -1,3 +1,4 @@
+#include "plan/path_plan.h"
 #include "plan/shading_plan.h"
 
 #include <set>
@@ -47,10 +48,12 @@ void addDrawn(std::string& text, const ShadingPlan& plan)
                 (plan.lights[i].name.empty() ? "unnamed" : plan.lights[i].name) + "\n";
     text += std::string("  environment: ") + (plan.environmentLight ? "lights the scene" : "lights nothing") +
             (plan.panorama ? ", is seen behind it" : ", is not seen") + "\n";
-    text +=
-        plan.settings.path == RenderPath::forward
-            ? "  path: forward\n"
-            : "  path: deferred, " + counted(plan.lightingClasses.size(), "lighting pass", "lighting passes") + "\n";
+    text += std::string("  path: ") + nameOf(plan.path);
+    if (plan.path == RenderPath::deferred)
+        text += ", " + counted(plan.lightingClasses.size(), "lighting pass", "lighting passes");
+    if (plan.path == RenderPath::attributes)
+        text += ", " + counted(plan.classes.size(), "class", "classes") + " of surfaces shaded once a pixel";
+    text += "\n";
     text += "pipelines\n";
     for (const std::string& name : pipelines)
         text += "  " + name + "\n";

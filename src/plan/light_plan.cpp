@@ -1,5 +1,7 @@
 #include "plan/light_plan.h"
 
+#include "core/error.h"
+
 namespace torrance {
 namespace {
 
@@ -31,6 +33,10 @@ LightPlan planLights(const Scene& scene, const dvec3& boundsMin, const dvec3& bo
             plan.lights.push_back(light);
             ++plan.counts[static_cast<std::size_t>(kind)];
         }
+    if (plan.lights.size() > kMostLights)
+        throw Error(ExitCode::input, "the scene has " + std::to_string(plan.lights.size()) +
+                                         " lights that reach it, and at most " + std::to_string(kMostLights) +
+                                         " can be drawn; leave some out, or give them ranges that end before it");
     return plan;
 }
 

@@ -197,7 +197,7 @@ std::string attributesText(const ShadingPlan& plan, const Batch& batch)
     define(text, "ALPHA_MASK", key.alphaMode == AlphaMode::mask);
     define(text, "DOUBLE_SIDED", key.doubleSided);
     defineUvs(text, key);
-    define(text, "ATTRIBUTES_HAVE_UV", attributesHaveUv(plan));
+    define(text, "ATTRIBUTES_HAVE_UV", attributePictures(plan) == 2);
     if (const std::string uv = attributeUv(key); !uv.empty())
         text += "#define ATTRIBUTE_UV " + uv + "\n";
     return text;

@@ -5,6 +5,8 @@
 #include "math/vector.h"
 #include "plan/view.h"
 
+#include <optional>
+
 namespace torrance {
 
 enum class BackgroundKind
@@ -32,11 +34,11 @@ struct Settings
     int environmentSamples = 64; // per pixel and picture, of methods of environmentSpecular that draw samples
     int lightSamples = 64;       // per pixel, picture and light with a radius, of the method `sampled` of areaLight
     BackgroundKind background = BackgroundKind::environment;
-    dvec3 backgroundColor = dvec3(0.0); // scene-linear
-    RenderPath path = RenderPath::forward;
-    const View* view = nullptr; // a term instead of the colour; null: the colour
-    int viewLight = 0;          // of ShadingPlan::lights
-    bool layers = false;        // surface parameters as pictures of their own
+    dvec3 backgroundColor = dvec3(0.0);  // scene-linear
+    std::optional<RenderPath> path = {}; // none: the plan chooses
+    const View* view = nullptr;          // a term instead of the colour; null: the colour
+    int viewLight = 0;                   // of ShadingPlan::lights
+    bool layers = false;                 // surface parameters as pictures of their own
 };
 
 } // namespace torrance

@@ -6,6 +6,7 @@
 #include "plan/compensation.h"
 #include "plan/deferred_plan.h"
 #include "plan/light_plan.h"
+#include "plan/path_plan.h"
 #include "plan/primitive_facts.h"
 
 #include <algorithm>
@@ -43,9 +44,10 @@ public:
         planMaterials();
         planSurfaces();
         planLighting();
-        if (plan.settings.path == RenderPath::deferred)
+        choosePath(scene, plan);
+        if (plan.path == RenderPath::deferred)
             planDeferred(plan);
-        if (plan.settings.path == RenderPath::attributes)
+        if (plan.path == RenderPath::attributes)
             planAttributes(scene, plan);
         return std::move(plan);
     }
@@ -72,7 +74,7 @@ private:
     std::span<const TexelFacts> facts;
     ShadingPlan plan;
     Box bounds;
-    std::map<PlannedTexture, int> textures;                    // ShadingPlan::textures
+    std::map<PlannedTexture, int> numbers;                     // in ShadingPlan::textures
     std::map<std::pair<int, TextureSet>, int> blocks;          // ShadingPlan::blocks by material and textures
     std::map<std::pair<ShaderKey, TextureSet>, Batch> batches; // ordered: the same scene gives the same batches
 };
@@ -141,7 +143,7 @@ std::pair<ShaderKey, TextureSet> Planner::keyOf(const PlannedMaterial& planned, 
 // The same texture is uploaded once.
 int Planner::textureIndex(const PlannedTexture& texture)
 {
-    const auto [found, isNew] = textures.try_emplace(texture, static_cast<int>(plan.textures.size()));
+    const auto [found, isNew] = numbers.try_emplace(texture, static_cast<int>(plan.textures.size()));
     if (isNew)
         plan.textures.push_back(texture);
     return found->second;
@@ -190,7 +192,8 @@ void Planner::addPrimitives()
         Draw draw = {.primitive = primitiveIndex,
                      .firstInstance = static_cast<int>(plan.instances.size()),
                      .instanceCount = 0,
-                     .mirrored = placed[first].mirrored};
+                     .mirrored = placed[first].mirrored,
+                     .bounds = {}};
         const Box own = {primitive.boundsMin, primitive.boundsMax};
         bool singular = false;
         for (; first < placed.size() && placed[first].instance->primitive == primitiveIndex &&

@@ -27,10 +27,10 @@ struct Draw
     int shape = -1;        // Scene::shapes
     int firstInstance = 0; // ShadingPlan::instances
     int instanceCount = 1;
-    bool mirrored = false;   // the transforms turn the winding round
-    int block = 0;           // ShadingPlan::blocks
+    bool mirrored = false; // the transforms turn the winding round
+    int block = 0;         // ShadingPlan::blocks
     bool starBody = false; // its back is never seen from outside of it
-    Box bounds;              // of all instances, world
+    Box bounds;            // of all instances, world
 };
 
 /// A material as the shaders of some draws read it.
@@ -70,6 +70,7 @@ struct PlannedInstance
 struct ShadingPlan
 {
     Settings settings;
+    RenderPath path = RenderPath::forward;
     std::vector<PlannedMaterial> materials; // Scene::materials, and glTF's default material last
     std::vector<PlannedTexture> textures;
     std::vector<MaterialBlock> blocks;

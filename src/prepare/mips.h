@@ -1,6 +1,8 @@
 // What the mip chain of a texture means.
 #pragma once
 
+#include "scene/texture.h"
+
 #include <algorithm>
 #include <bit>
 

@@ -31,8 +31,8 @@ TexelStorage storageOf(TexelFormat format, const MipRule& rule);
 /// 1).
 void writeLevels(const TextureImage& image, const MipRule& rule, std::span<const LevelMemory> levels);
 
-/// Channels of several pictures of one size as one: `images[c]`, null where nothing reads the channel (it is 1 then), and
-/// which of its channels. Where one has 16 bits, all are read as 16: k * 257 is the same fraction.
+/// Channels of several pictures of one size as one: `images[c]`, null where nothing reads the channel (it is 1 then),
+/// and which of its channels. Where one has 16 bits, all are read as 16: k * 257 is the same fraction.
 struct ChannelPictures
 {
     std::array<const TextureImage*, 4> images{};

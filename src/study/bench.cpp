@@ -1,6 +1,7 @@
 #include "study/bench.h"
 
 #include "files/csv_read.h"
+#include "plan/path_plan.h"
 
 #include <algorithm>
 #include <fmt/format.h>
@@ -33,6 +34,7 @@ BenchResult describe(const TimedItem& timed)
     result.width = settings.width;
     result.height = settings.height;
     result.samples = settings.samples;
+    result.path = nameOf(item.shadingPlan().path);
     result.methods = methodsText(settings.methods);
     result.triangles = triangleCount(item.drawnScene());
     result.draws = drawCount(item.shadingPlan());

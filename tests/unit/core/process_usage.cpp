@@ -66,6 +66,7 @@ TEST(MemoryUse, KnowsWhatIsAllocatedBesideWhatIsResident)
     for (std::size_t i = 0; i < kPieces; ++i)
         pieces.push_back(std::make_unique<char[]>(kPiece));
     std::unique_ptr<char[]> untouched = std::make_unique_for_overwrite<char[]>(64 * kMebibyte); // mapped by itself
+    [[maybe_unused]] const void* volatile seen = untouched.get(); // or the compiler leaves it out
     const MemoryUse held = memoryUse();
     EXPECT_NEAR(static_cast<double>(held.allocated - before.allocated), double(kPiece * kPieces + 64 * kMebibyte),
                 double(kMebibyte));

@@ -74,11 +74,11 @@ TEST(DeferredPlan, RefusesWhatReadsTheSurfaceAround)
     }
 }
 
-TEST(DeferredPlan, TheForwardPathHasNone)
+TEST(DeferredPlan, OtherPathsHaveNone)
 {
     const ShadingPlan plan = makePlan(fiveSurfaces(), settings("standard"));
     EXPECT_TRUE(plan.lightingClasses.empty());
-    EXPECT_NE(explain(plan).find("path: forward"), std::string::npos);
+    EXPECT_EQ(plan.path, RenderPath::prepass);
     EXPECT_EQ(explain(plan).find("drawn forward over"), std::string::npos);
 }
 

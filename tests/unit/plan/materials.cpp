@@ -94,7 +94,7 @@ TEST(MaterialPlan, ConstantRoughnessAndMetalBecomeFactors)
     Scene scene = sceneWith({.metallicFactor = 0.5, .roughnessFactor = 1.0});
     scene.materials[0].metallicRoughness = addTexture(scene, {1, 51, 102, 0}, {200, 51, 102, 9});
     const ShadingPlan plan = makePlan(scene, settings());
-    EXPECT_FALSE(plan.batches[0].key.metallicRoughness.used);
+    EXPECT_FALSE(plan.batches[0].key.material.used);
     EXPECT_DOUBLE_EQ(planned(plan).roughnessFactor, 51.0 / 255.0);
     EXPECT_DOUBLE_EQ(planned(plan).metallicFactor, 0.5 * 102.0 / 255.0);
 }

@@ -132,9 +132,10 @@ TEST(PackedLevels, AreThoseOfAPictureThatWasPutTogether)
                         together.texels.push_back(test.read[c] ? images[c].texels[at] : std::byte(0xff));
                     }
             const MipRule rule = {.content = color};
-            EXPECT_EQ(levelBytes(width, height, mipCount(width, height), storageOf(format, rule),
-                                 [&](std::span<const LevelMemory> levels) { writePackedLevels(pictures, rule, levels); }),
-                      levelBytes(together, rule))
+            EXPECT_EQ(
+                levelBytes(width, height, mipCount(width, height), storageOf(format, rule),
+                           [&](std::span<const LevelMemory> levels) { writePackedLevels(pictures, rule, levels); }),
+                levelBytes(together, rule))
                 << width << "x" << height;
         }
 }

@@ -19,7 +19,12 @@ class Reader(html.parser.HTMLParser):
         if tag == 'img':
             png = base64.b64decode(attributes['src'].removeprefix('data:image/png;base64,'), validate=True)
             size = struct.unpack('>II', png[16:24])
-            data = zlib.decompress(png[png.index(b'IDAT') + 4:])
+            stream, at = b'', 8
+            while at < len(png):
+                length, kind = struct.unpack('>I4s', png[at:at + 8])
+                stream += png[at + 8:at + 8 + length] if kind == b'IDAT' else b''
+                at += 12 + length
+            data = zlib.decompress(stream)
             print('img', attributes['width'], attributes['height'], size, list(data[1:4]), attributes['alt'])
         elif tag != 'meta':
             self.open.append(tag)
