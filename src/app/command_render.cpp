@@ -19,6 +19,7 @@
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
+#include <future>
 
 namespace torrance {
 namespace {
@@ -70,15 +71,30 @@ struct Session
     Phases phases;               // before what is timed
     Settings settings;
     std::optional<Environment> environment;
+    std::optional<LoadedScene> first; // of the first input, loaded while the device is opened
     gpu::Device device;
     gpu::ShaderLibrary shaders;
     Renderer renderer;
 
-    Session(const Options& o, const GlobalOptions& global)
-        : options(o), resultOnStandardOutput(o.output.pattern == "-" || global.json == "-"), settings(settingsOf(o)),
+    Session(const Options& o, const GlobalOptions& global, const std::string& firstInput)
+        : Session(o, global, firstInput, settingsOf(o), startOpeningDevice(o.device, global))
+    {
+    }
+
+    LoadedScene load(const std::string& input)
+    {
+        return phases.time(
+            "load", [&] { return loadLitScene(options.scene, options.light, settings.methods, environment, input); });
+    }
+
+private:
+    Session(const Options& o, const GlobalOptions& global, const std::string& firstInput, Settings s,
+            std::future<gpu::Device> opening)
+        : options(o), resultOnStandardOutput(o.output.pattern == "-" || global.json == "-"), settings(std::move(s)),
           environment(
               phases.time("environment", [&] { return loadChosenEnvironment(o.environment, settings.methods); })),
-          device(phases.time("device", [&] { return openDevice(o.device, global); })),
+          first(load(firstInput)),
+          device(phases.time("device", [&] { return finishOpeningDevice(std::move(opening)); })),
           shaders(dataFolder() / "shaders", cacheFolder(global)), renderer(device, shaders, cacheFolder(global))
     {
     }
@@ -93,17 +109,18 @@ void sayBeside(const Session& session, const std::string& text)
 Json draw(Session& session, const std::string& input, const std::string& output)
 {
     Phases& phases = session.phases;
-    const LoadedScene loaded = phases.time("load", [&] {
-        return loadLitScene(session.options.scene, session.options.light, session.settings.methods, session.environment,
-                            input);
-    });
+    LoadedScene loaded = session.first ? std::move(*session.first) : session.load(input);
+    session.first.reset();
     const Scene& scene = loaded.scene;
     const double aspect = double(session.settings.width) / session.settings.height;
     const Camera camera = chooseCamera(cameraOptionsFor(session.options.camera, input), scene, aspect);
     const ShadingPlan plan = phases.time("plan", [&] { return makePlan(scene, session.settings); });
     if (session.options.explain)
         sayBeside(session, explain(plan));
-    const DeviceScene deviceScene = phases.time("upload", [&] { return session.renderer.upload(scene, plan); });
+    const DeviceScene deviceScene =
+        phases.time("upload", [&] { return session.renderer.upload(scene, plan, &camera); });
+    for (TextureImage& image : loaded.scene.images)
+        std::vector<std::byte>().swap(image.texels); // the device has them
     ProgressLine progress(input);
     Picture picture = phases.time("draw", [&] {
         return session.renderer.render(deviceScene, camera, [&](int done, int all) { progress.show(done, all); });
@@ -141,7 +158,7 @@ ExitCode run(const Options& options, const GlobalOptions& global)
     checkLayerNames(options.layers, layerNames());
     if (global.json == "-" && options.output.pattern == "-")
         throw usageError("--output and --json both name standard output", "give one of them a file");
-    Session session(options, global);
+    Session session(options, global, inputs.front());
     Json::Array pictures;
     for (std::size_t i = 0; i < outputs.size(); ++i) {
         pictures.push_back(draw(session, inputs[i], outputs[i]));

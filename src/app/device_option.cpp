@@ -23,8 +23,18 @@ std::filesystem::path cacheFolder(const GlobalOptions& global)
 
 gpu::Device openDevice(const std::string& choice, const GlobalOptions& global, bool validation)
 {
-    gpu::prepareDriverEnvironment(cacheFolder(global));
-    gpu::Device device({.choice = choice, .validation = validation});
+    return finishOpeningDevice(startOpeningDevice(choice, global, validation));
+}
+
+std::future<gpu::Device> startOpeningDevice(const std::string& choice, const GlobalOptions& global, bool validation)
+{
+    gpu::prepareDriverEnvironment(cacheFolder(global)); // here: no other thread may read the environment meanwhile
+    return std::async(std::launch::async, [=] { return gpu::Device({.choice = choice, .validation = validation}); });
+}
+
+gpu::Device finishOpeningDevice(std::future<gpu::Device> opening)
+{
+    gpu::Device device = opening.get();
     logInfo("device: " + device.description.name + ", " + device.description.driver + " " +
             device.description.driverVersion);
     return device;

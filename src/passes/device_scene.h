@@ -1,4 +1,4 @@
-// A scene on a device, ready to be drawn from any camera.
+// A scene on a device, ready to be drawn.
 #pragma once
 
 #include "gpu/uniform_blocks.h"

@@ -61,8 +61,9 @@ shared::UvTransform uvTransform(const TextureUse& use)
 }
 
 // The level of detail is told in texels of the first texture there is; another's is finer or coarser by the ratio of
-// their sizes.
-void setLevels(shared::Material& material, const Scene& scene, const ShadingPlan& plan, const TextureSet& textures)
+// their sizes, and by the levels that are not there.
+void setLevels(shared::Material& material, const Scene& scene, const ShadingPlan& plan, const TextureSet& textures,
+               std::span<const int> finestLevels)
 {
     std::array<float, kTextureRoles> levels = {};
     std::optional<ivec2> first;
@@ -72,7 +73,8 @@ void setLevels(shared::Material& material, const Scene& scene, const ShadingPlan
         const ivec2 size = sizeOf(scene, plan.textures[static_cast<std::size_t>(textures[role])]);
         if (!first)
             first = size;
-        levels[role] = static_cast<float>(std::log2(static_cast<double>(size.x) / first->x));
+        levels[role] = static_cast<float>(std::log2(static_cast<double>(size.x) / first->x) -
+                                          finestLevels[static_cast<std::size_t>(textures[role])]);
     }
     material.texels = vec2(first.value_or(ivec2(1)));
     const auto of = [&](TextureRole role) { return levels[static_cast<std::size_t>(role)]; };
@@ -150,7 +152,8 @@ std::vector<shared::Instance> makeInstances(const ShadingPlan& plan, const MeshB
     return instances;
 }
 
-std::vector<shared::Material> makeMaterials(const Scene& scene, const ShadingPlan& plan)
+std::vector<shared::Material> makeMaterials(const Scene& scene, const ShadingPlan& plan,
+                                            std::span<const int> finestLevels)
 {
     std::vector<shared::Material> materials;
     for (const MaterialBlock& block : plan.blocks) {
@@ -172,7 +175,7 @@ std::vector<shared::Material> makeMaterials(const Scene& scene, const ShadingPla
                                    .texels = vec2(0.0f),
                                    .levels = vec4(0.0f),
                                    .occlusionLevel = 0.0f};
-        setLevels(result, scene, plan, block.textures);
+        setLevels(result, scene, plan, block.textures, finestLevels);
         materials.push_back(result);
     }
     return materials;

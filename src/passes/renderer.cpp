@@ -10,6 +10,7 @@
 #include "passes/sampler.h"
 #include "passes/targets.h"
 #include "plan/attribute_plan.h"
+#include "plan/level_plan.h"
 #include "scene/camera_view.h"
 #include "shaders/shared/bindings.h"
 
@@ -56,14 +57,16 @@ Renderer::Renderer(const gpu::Device& d, gpu::ShaderLibrary& s, const std::files
 {
 }
 
-DeviceScene Renderer::upload(const Scene& scene, const ShadingPlan& plan)
+DeviceScene Renderer::upload(const Scene& scene, const ShadingPlan& plan, const Camera* onlyCamera)
 {
     return gpu::guarded(device, [&] {
-        const std::vector<shared::Material> materials = makeMaterials(scene, plan);
+        const std::vector<int> finest =
+            onlyCamera ? finestLevels(scene, plan, *onlyCamera) : std::vector<int>(plan.textures.size(), 0);
+        const std::vector<shared::Material> materials = makeMaterials(scene, plan, finest);
         return DeviceScene{.scene = scene,
                            .plan = plan,
                            .meshes = makeMeshBuffers(device, scene, plan),
-                           .textures = Textures(device, scene, plan),
+                           .textures = Textures(device, scene, plan, finest),
                            .environment = environments.get(scene, plan),
                            .materials =
                                gpu::makeUniformBlocks(device, shared::kBindMaterial, std::span(materials), "materials"),

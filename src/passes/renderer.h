@@ -45,7 +45,9 @@ public:
     /// `cacheFolder` keeps prefiltered environments; empty: none are kept.
     Renderer(const gpu::Device& device, gpu::ShaderLibrary& shaders, const std::filesystem::path& cacheFolder);
 
-    DeviceScene upload(const Scene& scene, const ShadingPlan& plan);
+    /// To be drawn from any camera, or, where one is given, from that one only: levels of textures that its picture
+    /// cannot read are left out (plan/level_plan.h). The scene's texels are not read afterwards.
+    DeviceScene upload(const Scene& scene, const ShadingPlan& plan, const Camera* onlyCamera = nullptr);
 
     /// `progress` is called with (done, all) samples after each. Throws Error (deviceFailure, usage).
     Picture render(const DeviceScene& scene, const Camera& camera, const std::function<void(int, int)>& progress = {});

@@ -21,17 +21,18 @@ vk::Format formatOf(TexelStorage storage)
 
 using WriteLevels = std::function<void(std::span<const LevelMemory>)>;
 
-void writeInPlace(const gpu::DeviceImage& image, const WriteLevels& write)
+// `missing` levels before those of the image are no one's.
+void writeInPlace(const gpu::DeviceImage& image, std::size_t missing, const WriteLevels& write)
 {
     gpu::writeRows(image, [&](std::span<const gpu::LevelRows> rows) {
-        std::vector<LevelMemory> levels;
+        std::vector<LevelMemory> levels(missing);
         for (const gpu::LevelRows& level : rows)
             levels.push_back({level.texels, level.rowPitch});
         write(levels);
     });
 }
 
-void copyOver(const gpu::Device& device, const gpu::DeviceImage& image, std::size_t texelBytes,
+void copyOver(const gpu::Device& device, const gpu::DeviceImage& image, std::size_t missing, std::size_t texelBytes,
               const WriteLevels& write)
 {
     std::vector<std::size_t> offsets, pitches;
@@ -42,7 +43,7 @@ void copyOver(const gpu::Device& device, const gpu::DeviceImage& image, std::siz
         size += pitches.back() * std::max<std::size_t>(1, image.shape.height >> level);
     }
     const gpu::Buffer staging = gpu::makeBuffer(device, size, vk::BufferUsageFlagBits::eTransferSrc, "texels");
-    std::vector<LevelMemory> levels;
+    std::vector<LevelMemory> levels(missing);
     for (std::size_t level = 0; level < offsets.size(); ++level)
         levels.push_back({staging.mapped + offsets[level], pitches[level]});
     write(levels);
@@ -71,7 +72,8 @@ bool isOnePicture(const ChannelPictures& pictures)
     return true;
 }
 
-gpu::DeviceImage makeTexture(const gpu::Device& device, const Scene& scene, const PlannedTexture& texture)
+gpu::DeviceImage makeTexture(const gpu::Device& device, const Scene& scene, const PlannedTexture& texture,
+                             int finestLevel)
 {
     const ChannelPictures pictures = picturesOf(scene, texture);
     const TextureImage& picture = pictures.any();
@@ -79,33 +81,36 @@ gpu::DeviceImage makeTexture(const gpu::Device& device, const Scene& scene, cons
         .content = texture.content, .weighByAlpha = texture.weighByAlpha, .lengthInAlpha = texture.lengthInAlpha};
     const TexelStorage storage = storageOf(pictures.format(), rule);
     const bool mips = texture.sampler.mip != MipFilter::none;
-    const gpu::ImageShape shape = {.width = static_cast<std::uint32_t>(picture.width),
-                                   .height = static_cast<std::uint32_t>(picture.height),
-                                   .mips =
-                                       mips ? static_cast<std::uint32_t>(mipCount(picture.width, picture.height)) : 1,
+    const int levelCount = mips ? mipCount(picture.width, picture.height) : 1;
+    const gpu::ImageShape shape = {.width = static_cast<std::uint32_t>(std::max(1, picture.width >> finestLevel)),
+                                   .height = static_cast<std::uint32_t>(std::max(1, picture.height >> finestLevel)),
+                                   .mips = static_cast<std::uint32_t>(levelCount - finestLevel),
                                    .format = formatOf(storage)};
+    const auto missing = static_cast<std::size_t>(finestLevel);
     const WriteLevels write = [&](std::span<const LevelMemory> levels) {
         isOnePicture(pictures) ? writeLevels(picture, rule, levels) : writePackedLevels(pictures, rule, levels);
     };
     using Usage = vk::ImageUsageFlagBits;
     if (gpu::canSampleRows(device, shape)) {
         gpu::DeviceImage image = gpu::makeImage(device, shape, Usage::eSampled, picture.name, gpu::ImageTiling::rows);
-        writeInPlace(image, write);
+        writeInPlace(image, missing, write);
         return image;
     }
     gpu::DeviceImage image = gpu::makeImage(device, shape, Usage::eSampled | Usage::eTransferDst, picture.name);
-    copyOver(device, image, bytesPerTexel(storage), write);
+    copyOver(device, image, missing, bytesPerTexel(storage), write);
     return image;
 }
 
 } // namespace
 
-Textures::Textures(const gpu::Device& device, const Scene& scene, const ShadingPlan& plan)
+Textures::Textures(const gpu::Device& device, const Scene& scene, const ShadingPlan& plan,
+                   std::span<const int> finestLevels)
 {
     // N samples a pixel: each stands for 1/N of its area, so the level may be finer by half a step per doubling.
     const float lodBias = -0.5f * std::log2(static_cast<float>(plan.settings.samples));
-    for (const PlannedTexture& texture : plan.textures) {
-        images.push_back(makeTexture(device, scene, texture));
+    for (std::size_t i = 0; i < plan.textures.size(); ++i) {
+        const PlannedTexture& texture = plan.textures[i];
+        images.push_back(makeTexture(device, scene, texture, finestLevels[i]));
         if (!samplers.contains(texture.sampler))
             samplers.emplace(texture.sampler, makeSampler(device, texture.sampler, lodBias));
         samplerOf.push_back(texture.sampler);

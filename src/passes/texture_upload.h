@@ -5,6 +5,7 @@
 #include "plan/shading_plan.h"
 
 #include <map>
+#include <span>
 #include <vector>
 
 namespace torrance {
@@ -12,9 +13,9 @@ namespace torrance {
 class Textures
 {
 public:
-    /// Uploads ShadingPlan::textures. Several samples per pixel sharpen the choice of mips: one stands for 1/N of a
-    /// pixel.
-    Textures(const gpu::Device& device, const Scene& scene, const ShadingPlan& plan);
+    /// Uploads ShadingPlan::textures, each from the level of this number on (level_plan.h). Several samples per pixel
+    /// sharpen the choice of mips: one stands for 1/N of a pixel.
+    Textures(const gpu::Device& device, const Scene& scene, const ShadingPlan& plan, std::span<const int> finestLevels);
 
     // By ShadingPlan::textures.
     const gpu::DeviceImage& image(int texture) const;

@@ -9,23 +9,6 @@ namespace {
 
 constexpr std::size_t kMaxClasses = 255; // numbers of a stencil buffer but for 0, which is nothing
 
-const TextureUse& useOf(const Material& m, TextureRole role)
-{
-    switch (role) {
-    case TextureRole::baseColor:
-        return m.baseColor;
-    case TextureRole::material:
-        return m.metallicRoughness;
-    case TextureRole::normal:
-        return m.normal;
-    case TextureRole::occlusion:
-        return m.occlusion;
-    case TextureRole::emissive:
-        break;
-    }
-    return m.emissive;
-}
-
 // One place and one level of detail for all textures of a batch's material.
 bool sampledAlike(const Scene& scene, const ShadingPlan& plan, const Material& material, const TextureSet& textures)
 {

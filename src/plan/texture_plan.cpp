@@ -184,6 +184,23 @@ private:
 
 } // namespace
 
+const TextureUse& useOf(const Material& m, TextureRole role)
+{
+    switch (role) {
+    case TextureRole::baseColor:
+        return m.baseColor;
+    case TextureRole::material:
+        return m.metallicRoughness;
+    case TextureRole::normal:
+        return m.normal;
+    case TextureRole::occlusion:
+        return m.occlusion;
+    case TextureRole::emissive:
+        break;
+    }
+    return m.emissive;
+}
+
 RoleTextures planTextures(const Scene& scene, const Material& material, const TextureNeeds& needs, ShaderKey& key)
 {
     return Packer(scene, material, needs, key).run();

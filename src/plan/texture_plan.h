@@ -40,6 +40,9 @@ enum class TextureRole
 };
 inline constexpr std::size_t kTextureRoles = 5;
 
+/// Where and how a material reads the texture of a role; scalars that lie in another's alpha are read where that is.
+const TextureUse& useOf(const Material& material, TextureRole role);
+
 /// By role; nothing where a shader reads none.
 using RoleTextures = std::array<std::optional<PlannedTexture>, kTextureRoles>;
 

@@ -122,7 +122,7 @@ private:
 
     void store(int y, const std::byte* codes) const
     {
-        if (y < endOfOwn[0])
+        if (levels[0].texels && y < endOfOwn[0])
             source.codec.store(codes, static_cast<std::size_t>(source.width),
                                levels[0].texels + static_cast<std::size_t>(y) * levels[0].rowPitch);
     }
@@ -133,7 +133,9 @@ private:
             return;
         const auto width = static_cast<std::size_t>(source.widthOf(level));
         const auto number = static_cast<std::size_t>(level);
-        source.codec.encode(row, width, levels[number].texels + static_cast<std::size_t>(y) * levels[number].rowPitch);
+        if (levels[number].texels)
+            source.codec.encode(row, width,
+                                levels[number].texels + static_cast<std::size_t>(y) * levels[number].rowPitch);
         if (result && level == result->level)
             std::copy_n(row, width, result->texels.data() + static_cast<std::size_t>(y) * width);
     }

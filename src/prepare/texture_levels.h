@@ -9,7 +9,8 @@
 
 namespace torrance {
 
-/// Where a level goes: rows of texels one after the other, `rowPitch` bytes from one to the next.
+/// Where a level goes: rows of texels one after the other, `rowPitch` bytes from one to the next. Without texels it is
+/// one that nobody reads: passed through, not kept.
 struct LevelMemory
 {
     std::byte* texels = nullptr;

@@ -45,6 +45,13 @@ Picture draw(const Scene& scene, const Camera& camera, const Settings& settings)
     return renderer().render(onDevice, camera);
 }
 
+Picture drawForOneCamera(const Scene& scene, const Camera& camera, const Settings& settings)
+{
+    const ShadingPlan plan = makePlan(scene, settings);
+    const DeviceScene onDevice = renderer().upload(scene, plan, &camera);
+    return renderer().render(onDevice, camera);
+}
+
 dvec4 pixelOf(const Picture& picture, int x, int y)
 {
     const float* p = picture.color.at(x, y);

@@ -18,6 +18,9 @@ Settings settingsOf(std::string_view preset, int size);
 /// Plans, uploads and draws.
 Picture draw(const Scene& scene, const Camera& camera, const Settings& settings);
 
+/// The same, uploaded for this camera alone.
+Picture drawForOneCamera(const Scene& scene, const Camera& camera, const Settings& settings);
+
 /// A pixel of the colour picture, premultiplied.
 dvec4 pixelOf(const Picture& picture, int x, int y);
 

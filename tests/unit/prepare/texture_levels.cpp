@@ -94,6 +94,26 @@ TEST_P(TextureLevels, AreAsManyAsThereIsRoomFor)
     }
 }
 
+TEST_P(TextureLevels, MayBeginAtACoarserOne)
+{
+    for (const auto& [width, height] : {std::pair(70, 45), {64, 128}}) {
+        const TextureImage image = noise(width, height, GetParam().format);
+        const auto all = levelBytes(image, GetParam().rule);
+        for (std::size_t missing = 1; missing < all.size(); ++missing) {
+            const auto rest = levelBytes(width, height, static_cast<int>(all.size()), GetParam().storage,
+                                         [&](std::span<const LevelMemory> levels) {
+                                             std::vector<LevelMemory> some(levels.begin(), levels.end());
+                                             for (std::size_t level = 0; level < missing; ++level)
+                                                 some[level] = {};
+                                             writeLevels(image, GetParam().rule, some);
+                                         });
+            EXPECT_TRUE(
+                std::equal(rest.begin() + std::ptrdiff_t(missing), rest.end(), all.begin() + std::ptrdiff_t(missing)))
+                << missing;
+        }
+    }
+}
+
 INSTANTIATE_TEST_SUITE_P(Kinds, TextureLevels, ::testing::ValuesIn(kKinds),
                          [](const auto& test) { return std::string(test.param.name); });
 
