@@ -80,8 +80,7 @@ void addSceneFacts(SceneFacts& facts, const Scene& scene)
         facts.points += primitive.topology == Topology::points ? indices : 0;
     }
     for (const TextureImage& image : scene.images)
-        facts.texelBytes += static_cast<std::uint64_t>(image.width) * static_cast<std::uint64_t>(image.height) *
-                            bytesPerTexel(image.format);
+        facts.texelBytes += image.texels.size();
 }
 
 } // namespace torrance

@@ -27,7 +27,7 @@ public:
     {
     }
 
-    GltfScene build(int number)
+    Scene build(int number)
     {
         const std::vector<int> nodes = nodesOfScene(model, rootsOf(number));
         readMaterials(nodes);
@@ -36,7 +36,7 @@ public:
         scene.name = number >= 0 ? model.scenes[static_cast<std::size_t>(number)].name : "";
         if (scene.name.empty())
             scene.name = document.stem;
-        return {std::move(scene), std::move(encoded)};
+        return std::move(scene);
     }
 
 private:
@@ -76,7 +76,7 @@ private:
                     textures.insert(use->texture);
         }
         GltfTextures read = readTextures(model, document.json, document.buffers, document.origin, textures,
-                                         document.limits.texelBytes, document.deferImages, report);
+                                         document.limits.texelBytes, report);
         for (GltfMaterial& material : materials) {
             for (TextureUse* use : usesOf(material.material))
                 if (use->used())
@@ -85,7 +85,6 @@ private:
         }
         scene.textures = std::move(read.textures);
         scene.images = std::move(read.images);
-        encoded = std::move(read.encoded);
     }
 
     static std::array<TextureUse*, 5> usesOf(Material& material)
@@ -170,7 +169,6 @@ private:
     std::vector<dmat4> worlds;
     GltfGeometry geometry;
     Scene scene;
-    std::vector<EncodedImage> encoded;
     std::vector<GltfMaterial> materials;
     std::map<int, int> materialOfFile;
     std::map<std::tuple<int, int, std::vector<double>>, std::vector<int>> primitives; // of mesh, skin and weights
@@ -189,7 +187,7 @@ int sceneNumber(const nlohmann::json& document, const std::optional<int>& chosen
     return *chosen;
 }
 
-GltfScene buildScene(const GltfDocument& document, int number, LoadReport& report)
+Scene buildScene(const GltfDocument& document, int number, LoadReport& report)
 {
     return SceneBuilder(document, report).build(number);
 }

@@ -1,7 +1,6 @@
 // From a checked document to the scene that it draws.
 #pragma once
 
-#include "files/encoded_image.h"
 #include "files/gltf_accessors.h"
 #include "files/gltf_buffers.h"
 #include "files/gltf_nodes.h"
@@ -21,13 +20,6 @@ struct GltfDocument
     const GltfNodeTree& tree;
     const GltfOrigin& origin;
     const SceneLimits& limits;
-    bool deferImages;
-};
-
-struct GltfScene
-{
-    Scene scene;
-    std::vector<EncodedImage> encoded; // its images, where they are not decoded yet
 };
 
 /// The number of the scene that is drawn: `chosen`, the file's default, the first; -1 where the file has no scenes.
@@ -35,6 +27,6 @@ struct GltfScene
 int sceneNumber(const nlohmann::json& document, const std::optional<int>& chosen, const LoadReport& report);
 
 /// Scene `number` of the document; all root nodes where it is -1.
-GltfScene buildScene(const GltfDocument& document, int number, LoadReport& report);
+Scene buildScene(const GltfDocument& document, int number, LoadReport& report);
 
 } // namespace torrance

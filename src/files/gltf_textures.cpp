@@ -1,5 +1,6 @@
 #include "files/gltf_textures.h"
 
+#include "files/encoded_image.h"
 #include "files/gltf_items.h"
 #include "files/gltf_model.h"
 #include "files/gltf_uri.h"
@@ -116,7 +117,7 @@ EncodedImage readImage(const json& image, std::size_t index, const GltfBuffers& 
 } // namespace
 
 GltfTextures readTextures(const tinygltf::Model& model, const json& document, const GltfBuffers& buffers,
-                          const GltfOrigin& origin, const std::set<int>& used, std::uint64_t maxTexelBytes, bool defer,
+                          const GltfOrigin& origin, const std::set<int>& used, std::uint64_t maxTexelBytes,
                           const LoadReport& report)
 {
     GltfTextures result;
@@ -141,13 +142,7 @@ GltfTextures readTextures(const tinygltf::Model& model, const json& document, co
         result.textures.push_back({imageOfFile[image], samplerOf(model, source.sampler, report)});
     }
     checkTotalSize(encoded, maxTexelBytes);
-    if (!defer) {
-        result.images = decodeAll(std::move(encoded));
-        return result;
-    }
-    for (const EncodedImage& image : encoded)
-        result.images.push_back(textureHeader(image.bytes, image.name, image.file));
-    result.encoded = std::move(encoded);
+    result.images = decodeAll(encoded);
     return result;
 }
 

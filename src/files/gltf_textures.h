@@ -1,7 +1,6 @@
 // Textures of glTF: which image, sampled how, and the image's texels.
 #pragma once
 
-#include "files/encoded_image.h"
 #include "files/gltf_buffers.h"
 #include "scene/texture.h"
 
@@ -16,19 +15,17 @@ namespace torrance {
 
 struct GltfTextures
 {
-    std::vector<Texture> textures;     // in the order of the file, those asked for
-    std::vector<TextureImage> images;  // each once
-    std::vector<EncodedImage> encoded; // the same images, where they are not decoded yet
-    std::vector<int> textureOfFile;    // the file's number → textures, -1 = not asked for
+    std::vector<Texture> textures;    // in the order of the file, those asked for
+    std::vector<TextureImage> images; // each once
+    std::vector<int> textureOfFile;   // the file's number → textures, -1 = not asked for
 };
 
 /// The textures of the file that `used` names, their images decoded on all cores. Of an image in WebP and one in
 /// another format the WebP one is taken (EXT_texture_webp). Errors (input): a texture without an image that can be
 /// read, an image that is missing, damaged, of no size or too large, more than `maxTexelBytes` in all (known from the
-/// headers, before anything is decoded), an unknown sampler value. With `defer` the images have no texels yet, and what
-/// only these would show to be damaged is not known.
+/// headers, before anything is decoded), an unknown sampler value.
 GltfTextures readTextures(const tinygltf::Model& model, const nlohmann::json& document, const GltfBuffers& buffers,
-                          const GltfOrigin& origin, const std::set<int>& used, std::uint64_t maxTexelBytes, bool defer,
+                          const GltfOrigin& origin, const std::set<int>& used, std::uint64_t maxTexelBytes,
                           const LoadReport& report);
 
 } // namespace torrance

@@ -31,14 +31,15 @@ OpenedFile openFile(const std::filesystem::path& path, const std::string& file)
     return opened;
 }
 
-LoadedScene build(OpenedFile opened, const std::filesystem::path& path, const LoadOptions& options, LoadReport& report)
+LoadedScene build(const OpenedFile& opened, const std::filesystem::path& path, const LoadOptions& options,
+                  LoadReport& report)
 {
     const nlohmann::json& document = opened.document;
     const int number = sceneNumber(document, options.scene, report);
     checkExtensions(document, report);
     const GltfOrigin origin{path.parent_path(), options.allowExternal};
     const GltfNodeTree tree = checkNodeTree(document, report);
-    GltfBuffers buffers = readBuffers(document, opened.container, origin, report);
+    const GltfBuffers buffers = readBuffers(document, opened.container, origin, report);
     const std::vector<GltfAccessor> accessors = checkAccessors(document, buffers, report);
     if (!itemsOf(document, "animations").empty())
         report.warn("", "has animations, which are not played: it is drawn at rest");
@@ -46,19 +47,12 @@ LoadedScene build(OpenedFile opened, const std::filesystem::path& path, const Lo
         report.warn("", "has no scenes: all of its nodes are drawn");
 
     LoadedScene loaded;
-    GltfScene built = buildScene(
-        {path.stem().string(), document, buffers, accessors, tree, origin, options.limits, options.deferImages}, number,
-        report);
-    loaded.scene = std::move(built.scene);
+    loaded.scene =
+        buildScene({path.stem().string(), document, buffers, accessors, tree, origin, options.limits}, number, report);
     loaded.facts = factsOfDocument(document, opened.container, opened.bytes.size());
     addSceneFacts(loaded.facts, loaded.scene);
     loaded.facts.scene = number;
     loaded.facts.bufferBytes = buffers.totalBytes;
-    if (!built.encoded.empty()) {
-        std::vector<std::vector<std::byte>> kept = std::move(buffers.storage);
-        kept.push_back(std::move(opened.bytes));
-        loaded.deferred = std::make_unique<DeferredImages>(std::move(built.encoded), std::move(kept));
-    }
     return loaded;
 }
 

@@ -1,12 +1,10 @@
 // Scenes from files: glTF 2.0, as .gltf or .glb, and OBJ with MTL.
 #pragma once
 
-#include "files/deferred_images.h"
 #include "scene/scene.h"
 
 #include <cstdint>
 #include <filesystem>
-#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -28,9 +26,6 @@ struct LoadOptions
     std::optional<int> scene = {}; // instead of the file's default
     bool allowExternal = false;    // URIs may leave the folder of the file: `..`, absolute paths, file:
     SceneLimits limits = {};
-    /// Images of glTF files are left for LoadedScene::deferred: their headers are read and all limits hold, but they
-    /// have no texels. Those of other files are decoded all the same.
-    bool deferImages = false;
 };
 
 /// How many of a kind a file holds, and their names ("" where one has none).
@@ -80,8 +75,6 @@ struct LoadedScene
     Scene scene;
     SceneFacts facts;
     std::vector<std::string> warnings; // each a line that names the file
-    /// Where LoadOptions::deferImages was asked for and the file has images: image i is Scene::images[i].
-    std::unique_ptr<DeferredImages> deferred;
 };
 
 /// Reads a scene as it stands at rest: morph targets at their default weights, skins in the pose of the nodes,

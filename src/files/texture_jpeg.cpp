@@ -42,34 +42,25 @@ bool isHarmless(std::string_view warning)
     return warning.find("extraneous bytes") != std::string_view::npos;
 }
 
-TextureImage checkedHeader(const Decoder& decoder, std::span<const std::byte> bytes, const TextureSource& source)
+} // namespace
+
+TextureImage decodeJpeg(std::span<const std::byte> bytes, const TextureSource& source)
 {
+    const Decoder decoder = makeDecoder();
     Header header;
     if (!readHeader(decoder, bytes, header))
         throwCorrupt(source, std::string("the JPEG is corrupt: ") + tjGetErrorStr2(decoder.get()));
     checkTextureSize(header.width, header.height, source);
     if (header.colorSpace == TJCS_CMYK || header.colorSpace == TJCS_YCCK)
         throw inputError(source.file, source.name, "the JPEG has CMYK colours", "convert it to RGB");
-    return {.name = source.name, .width = header.width, .height = header.height, .texels = {}};
-}
 
-} // namespace
-
-TextureImage jpegHeader(std::span<const std::byte> bytes, const TextureSource& source)
-{
-    return checkedHeader(makeDecoder(), bytes, source);
-}
-
-TextureImage decodeJpeg(std::span<const std::byte> bytes, const TextureSource& source, DecodeScratch& scratch)
-{
-    const Decoder decoder = makeDecoder();
-    TextureImage image = checkedHeader(decoder, bytes, source);
-    const std::size_t rowBytes = static_cast<std::size_t>(image.width) * bytesPerTexel(image.format);
-    image.texels = scratch.takeTexels(rowBytes * static_cast<std::size_t>(image.height));
+    TextureImage image{.name = source.name, .width = header.width, .height = header.height, .texels = {}};
+    const std::size_t rowBytes = static_cast<std::size_t>(header.width) * bytesPerTexel(image.format);
+    image.texels.resize(rowBytes * static_cast<std::size_t>(header.height));
     // LIMITSCANS: a progressive file of many empty scans would take for ever.
     const int status =
         tjDecompress2(decoder.get(), data(bytes), bytes.size(), reinterpret_cast<unsigned char*>(image.texels.data()),
-                      image.width, static_cast<int>(rowBytes), image.height, TJPF_RGBA, TJFLAG_LIMITSCANS);
+                      header.width, static_cast<int>(rowBytes), header.height, TJPF_RGBA, TJFLAG_LIMITSCANS);
     if (status == 0)
         return image;
     const std::string problem = tjGetErrorStr2(decoder.get());

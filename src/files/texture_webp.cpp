@@ -13,7 +13,7 @@ const std::uint8_t* data(std::span<const std::byte> bytes)
 
 } // namespace
 
-TextureImage webpHeader(std::span<const std::byte> bytes, const TextureSource& source)
+TextureImage decodeWebp(std::span<const std::byte> bytes, const TextureSource& source)
 {
     WebPBitstreamFeatures features = {};
     if (WebPGetFeatures(data(bytes), bytes.size(), &features) != VP8_STATUS_OK)
@@ -21,14 +21,10 @@ TextureImage webpHeader(std::span<const std::byte> bytes, const TextureSource& s
     checkTextureSize(features.width, features.height, source);
     if (features.has_animation != 0)
         throw inputError(source.file, source.name, "the WebP is an animation", "store one picture");
-    return {.name = source.name, .width = features.width, .height = features.height, .texels = {}};
-}
 
-TextureImage decodeWebp(std::span<const std::byte> bytes, const TextureSource& source, DecodeScratch& scratch)
-{
-    TextureImage image = webpHeader(bytes, source);
-    const std::size_t rowBytes = static_cast<std::size_t>(image.width) * bytesPerTexel(image.format);
-    image.texels = scratch.takeTexels(rowBytes * static_cast<std::size_t>(image.height));
+    TextureImage image{.name = source.name, .width = features.width, .height = features.height, .texels = {}};
+    const std::size_t rowBytes = static_cast<std::size_t>(features.width) * bytesPerTexel(image.format);
+    image.texels.resize(rowBytes * static_cast<std::size_t>(features.height));
     // Straight alpha, one where the file has none.
     if (WebPDecodeRGBAInto(data(bytes), bytes.size(), reinterpret_cast<std::uint8_t*>(image.texels.data()),
                            image.texels.size(), static_cast<int>(rowBytes)) == nullptr)

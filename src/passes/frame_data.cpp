@@ -5,9 +5,7 @@
 #include "scene/camera_view.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
-#include <optional>
 
 namespace torrance {
 namespace {
@@ -60,27 +58,27 @@ shared::UvTransform uvTransform(const TextureUse& use)
     return {.u = vec3(dvec3(t[0].x, t[1].x, t[2].x)), .v = vec3(dvec3(t[0].y, t[1].y, t[2].y))};
 }
 
-// The level of detail is told in texels of the first texture there is; another's is finer or coarser by the ratio of
-// their sizes, and by the levels that are not there.
+// The level of detail is told in texels of the largest texture, and never below 0; another's is finer by the ratio of
+// their sizes, and by the levels that are not there. Told in a smaller one's, it would end where that one is magnified.
 void setLevels(shared::Material& material, const Scene& scene, const ShadingPlan& plan, const TextureSet& textures,
                std::span<const int> finestLevels)
 {
-    std::array<float, kTextureRoles> levels = {};
-    std::optional<ivec2> first;
-    for (std::size_t role = 0; role < kTextureRoles; ++role) {
-        if (textures[role] < 0)
-            continue;
-        const ivec2 size = sizeOf(scene, plan.textures[static_cast<std::size_t>(textures[role])]);
-        if (!first)
-            first = size;
-        levels[role] = static_cast<float>(std::log2(static_cast<double>(size.x) / first->x) -
-                                          finestLevels[static_cast<std::size_t>(textures[role])]);
-    }
-    material.texels = vec2(first.value_or(ivec2(1)));
-    const auto of = [&](TextureRole role) { return levels[static_cast<std::size_t>(role)]; };
-    material.levels =
-        vec4(of(TextureRole::baseColor), of(TextureRole::material), of(TextureRole::normal), of(TextureRole::emissive));
-    material.occlusionLevel = of(TextureRole::occlusion);
+    ivec2 largest(1);
+    for (const int texture : textures)
+        if (texture >= 0)
+            largest = glm::max(largest, sizeOf(scene, plan.textures[static_cast<std::size_t>(texture)]));
+    const auto levelOf = [&](TextureRole role) {
+        const int texture = textures[static_cast<std::size_t>(role)];
+        if (texture < 0)
+            return 0.0f;
+        const auto index = static_cast<std::size_t>(texture);
+        return static_cast<float>(std::log2(double(sizeOf(scene, plan.textures[index]).x) / largest.x) -
+                                  finestLevels[index]);
+    };
+    material.texels = vec2(largest);
+    material.levels = vec4(levelOf(TextureRole::baseColor), levelOf(TextureRole::material),
+                           levelOf(TextureRole::normal), levelOf(TextureRole::emissive));
+    material.occlusionLevel = levelOf(TextureRole::occlusion);
 }
 
 // See shared::Frame::viewFromDepth; the depth of a point is what projectionMatrix makes of it.

@@ -1,9 +1,6 @@
 // The deferred path draws the forward path's picture: |deferred - forward| <= 1e-5 |forward| + what the rounding of a
 // pixel's own inputs may change.
-#include "core/data_folder.h"
 #include "drawing.h"
-#include "files/environment_file.h"
-#include "files/scene_file.h"
 #include "reference/pixel_condition.h"
 #include "scene/camera_fit.h"
 #include "scenes.h"
@@ -94,10 +91,7 @@ TEST(Deferred, EveryKindOfSurfaceTogetherIsTheForwardPicture)
 
 TEST(Deferred, DemoSceneIsTheForwardPicture)
 {
-    Scene scene = loadScene(dataFolder() / "assets" / "demo" / "demo.gltf").scene;
-    scene.environment = Environment{};
-    scene.environment->radiance =
-        loadEnvironment((dataFolder() / "assets" / "environments" / "studio.hdr").string()).radiance;
+    const Scene scene = demoScene();
     Settings settings = settingsOf("standard", 192);
     settings.background = BackgroundKind::environment;
     expectSameOnBothPaths(scene, fitCamera(scene, {0.3, 1.2}, 1.0, 0.7, 0.05), settings, "demo");

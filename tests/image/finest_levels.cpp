@@ -1,11 +1,9 @@
 // Levels of textures that a picture does not read change nothing in it when they are left out, but for the rounding of
 // the level itself: 7.3 has three bits less behind the point than 0.3.
-#include "core/data_folder.h"
 #include "drawing.h"
-#include "files/environment_file.h"
-#include "files/scene_file.h"
 #include "plan/level_plan.h"
 #include "scene/camera_fit.h"
+#include "scenes.h"
 
 #include <algorithm>
 #include <gtest/gtest.h>
@@ -16,15 +14,6 @@ namespace {
 /// A step of a float near 8 is 2^-20: the weight of a level, and with it a texel, moves by no more. Shading amplifies
 /// that of a normal by a few times; a level too coarse would change pixels by per cents.
 constexpr double kRelative = 1e-5;
-
-Scene demoScene()
-{
-    Scene scene = loadScene(dataFolder() / "assets" / "demo" / "demo.gltf").scene;
-    scene.environment = Environment{};
-    scene.environment->radiance =
-        loadEnvironment((dataFolder() / "assets" / "environments" / "studio.hdr").string()).radiance;
-    return scene;
-}
 
 TEST(FinestLevels, LeaveThePictureAsItIs)
 {

@@ -1,14 +1,13 @@
 // The paths that shade only what is seen draw the forward path's picture: after a depth pass to the bit, from
 // attributes as closely as what is rounded on the way allows.
-#include "core/data_folder.h"
-#include "files/environment_file.h"
-#include "files/scene_file.h"
 #include "measure/image_metrics.h"
 #include "scene/camera_fit.h"
 #include "scenes.h"
 #include "two_paths.h"
 
+#include <cmath>
 #include <gtest/gtest.h>
+#include <numbers>
 
 namespace torrance::test {
 namespace {
@@ -43,15 +42,6 @@ Settings beforeAColor(Settings settings)
     settings.background = BackgroundKind::color;
     settings.backgroundColor = dvec3(0.05, 0.1, 0.15);
     return settings;
-}
-
-Scene demoScene()
-{
-    Scene scene = loadScene(dataFolder() / "assets" / "demo" / "demo.gltf").scene;
-    scene.environment = Environment{};
-    scene.environment->radiance =
-        loadEnvironment((dataFolder() / "assets" / "environments" / "studio.hdr").string()).radiance;
-    return scene;
 }
 
 Settings demoSettings()
@@ -138,6 +128,34 @@ TEST(Attributes, MipsAreTheForwardPicturesAsAWhole)
     const Picture forward = draw(demo, camera, on(RenderPath::forward, demoSettings()));
     const Picture attributes = draw(demo, camera, on(RenderPath::attributes, demoSettings()));
     EXPECT_LE(compareImages(forward.color, attributes.color).relMse, kRelMse);
+}
+
+// Its level is told for all textures at once, and one that is magnified must not hold another's back.
+TEST(Attributes, TexturesOfTwoSizesAreReadAtTheirOwnLevels)
+{
+    const auto waves = [](int side, int periods) {
+        return makeTexels(side, side, TexelFormat::rgba8, [=](int x, int y) {
+            const double phase = 2.0 * std::numbers::pi * periods / side;
+            return dvec4(dvec2(0.5) + 0.4 * dvec2(std::sin(phase * x), std::sin(phase * y)), 0.5, 1.0);
+        });
+    };
+    for (const bool largeFirst : {false, true}) {
+        Scene scene;
+        Material material = plainMaterial(dvec3(1.0), 0.0, 0.6);
+        material.emissiveFactor = dvec3(1.0);
+        TextureUse& large = largeFirst ? material.baseColor : material.emissive;
+        TextureUse& small = largeFirst ? material.emissive : material.baseColor;
+        small.texture = addTexture(scene, waves(8, 2), Sampler{});
+        large.texture = addTexture(scene, waves(512, 8), Sampler{});
+        scene.materials = {material};
+        addInstance(scene, square(0), dmat4(1.0));
+        scene.lights = {testLight(Light::Kind::directional)};
+        const Camera camera = fitCamera(scene, {0.3, 1.3}, 1.0, 0.7, 0.05);
+        const Settings settings = settingsOf("standard", 96);
+        const Picture forward = draw(scene, camera, on(RenderPath::forward, settings));
+        const Picture attributes = draw(scene, camera, on(RenderPath::attributes, settings));
+        EXPECT_LE(compareImages(forward.color, attributes.color).relMse, kRelMse) << largeFirst;
+    }
 }
 
 TEST(Attributes, LeaveTheLayersAsTheyAre)

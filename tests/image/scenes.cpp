@@ -1,5 +1,9 @@
 #include "scenes.h"
 
+#include "core/data_folder.h"
+#include "files/environment_file.h"
+#include "files/scene_file.h"
+
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
@@ -165,6 +169,15 @@ Scene texturedTorus()
     mesh.name = "torus";
     mesh.material = 0;
     addInstance(scene, std::move(mesh), dmat4(1.0));
+    return scene;
+}
+
+Scene demoScene()
+{
+    Scene scene = loadScene(dataFolder() / "assets" / "demo" / "demo.gltf").scene;
+    scene.environment = Environment{};
+    scene.environment->radiance =
+        loadEnvironment((dataFolder() / "assets" / "environments" / "studio.hdr").string()).radiance;
     return scene;
 }
 

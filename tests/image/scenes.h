@@ -27,6 +27,9 @@ int addInstance(Scene& scene, Primitive primitive, const dmat4& worldFromObject)
 /// vary smoothly, filtered bilinearly at level 0.
 Scene texturedTorus();
 
+/// The demo scene in the light of the studio.
+Scene demoScene();
+
 dmat4 translation(const dvec3& offset);
 
 } // namespace torrance::test
