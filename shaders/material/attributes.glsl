@@ -32,6 +32,12 @@ float levelOfDetail(vec2 across, vec2 down)
     return longest2 > 0.0 ? 0.5 * log2(longest2) : 0.0;
 }
 
+// A point of the octahedron's upper half for one of the lower half, and the other way round.
+vec2 foldedOver(vec2 p)
+{
+    return (1.0 - abs(p.yx)) * vec2(p.x >= 0.0 ? 1.0 : -1.0, p.y >= 0.0 ? 1.0 : -1.0);
+}
+
 // A direction as a point of the square: Meyer et al. 2010, On Floating-Point Normal Vectors. In floats the direction keeps its bits. d is
 // of any length; of zero length it becomes what octahedralDirection reads as no direction.
 vec2 octahedral(vec3 d)
@@ -40,8 +46,7 @@ vec2 octahedral(vec3 d)
     if (!(size > 0.0))
         return vec2(kNoDirection);
     vec2 p = d.xy / size;
-    vec2 folded = (1.0 - abs(p.yx)) * vec2(p.x >= 0.0 ? 1.0 : -1.0, p.y >= 0.0 ? 1.0 : -1.0);
-    return d.z >= 0.0 ? p : folded;
+    return d.z >= 0.0 ? p : foldedOver(p);
 }
 
 vec3 octahedralDirection(vec2 p)
@@ -49,6 +54,5 @@ vec3 octahedralDirection(vec2 p)
     if (p.x == kNoDirection)
         return vec3(0.0);
     float z = 1.0 - abs(p.x) - abs(p.y);
-    vec2 folded = (1.0 - abs(p.yx)) * vec2(p.x >= 0.0 ? 1.0 : -1.0, p.y >= 0.0 ? 1.0 : -1.0);
-    return vec3(z >= 0.0 ? p : folded, z);
+    return vec3(z >= 0.0 ? p : foldedOver(p), z);
 }

@@ -36,7 +36,7 @@ BenchSession::BenchSession(const BenchOptions& o, const GlobalOptions& g)
                              [&] { return loadChosenEnvironment(o.environment, frameSettings(o.frame).methods); })),
       device(timedPhase(phases, "device", [&] { return openDevice(o.device, g); })),
       shaders(dataFolder() / "shaders", cacheFolder(g)),
-      clock(device.description.kind == "CPU" ? BenchClock::processor : BenchClock::wall)
+      clock(device.description.isProcessor() ? BenchClock::processor : BenchClock::wall)
 {
 }
 

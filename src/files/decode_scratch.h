@@ -6,7 +6,6 @@
 
 #include <cstddef>
 #include <memory>
-#include <vector>
 
 namespace torrance {
 
@@ -34,14 +33,6 @@ struct DecodeScratch
 {
     ReusedBytes compressed;
     ReusedBytes filtered;
-    std::vector<std::byte> texels; // of a picture that is done with, for the next one to take over
-
-    std::vector<std::byte> takeTexels(std::size_t size)
-    {
-        std::vector<std::byte> taken = std::move(texels);
-        resizeLarge(taken, size);
-        return taken;
-    }
 };
 
 } // namespace torrance

@@ -2,10 +2,14 @@
 
 #include "core/error.h"
 #include "core/parallel.h"
-#include "files/deferred_images.h"
 #include "files/texture_file.h"
 
+#include <algorithm>
 #include <exception>
+#include <functional>
+#include <memory>
+#include <mutex>
+#include <numeric>
 
 namespace torrance {
 
@@ -27,16 +31,55 @@ void checkTotalSize(const std::vector<EncodedImage>& images, std::uint64_t maxTe
     }
 }
 
-std::vector<TextureImage> decodeAll(std::vector<EncodedImage> encoded)
+namespace {
+
+// Numbers of the images, those first that take longest: workers that take the next one each end at about the same time.
+std::vector<std::size_t> longestFirst(const std::vector<EncodedImage>& images)
 {
-    DeferredImages deferred(std::move(encoded), {});
-    std::vector<TextureImage> images(deferred.count());
-    std::vector<std::exception_ptr> failures(images.size());
-    const std::vector<std::size_t> order = deferred.longestFirst();
+    std::vector<std::size_t> order(images.size());
+    std::iota(order.begin(), order.end(), std::size_t(0));
+    std::ranges::stable_sort(order, std::greater(), [&](std::size_t i) { return images[i].bytes.size(); });
+    return order;
+}
+
+// As many as there are workers at a time, each lent to one.
+class ScratchPool
+{
+public:
+    std::unique_ptr<DecodeScratch> take()
+    {
+        const std::lock_guard lock(mutex);
+        if (idle.empty())
+            return std::make_unique<DecodeScratch>();
+        std::unique_ptr<DecodeScratch> scratch = std::move(idle.back());
+        idle.pop_back();
+        return scratch;
+    }
+    void giveBack(std::unique_ptr<DecodeScratch> scratch)
+    {
+        const std::lock_guard lock(mutex);
+        idle.push_back(std::move(scratch));
+    }
+
+private:
+    std::mutex mutex;
+    std::vector<std::unique_ptr<DecodeScratch>> idle;
+};
+
+} // namespace
+
+std::vector<TextureImage> decodeAll(const std::vector<EncodedImage>& encoded)
+{
+    std::vector<TextureImage> images(encoded.size());
+    std::vector<std::exception_ptr> failures(encoded.size());
+    const std::vector<std::size_t> order = longestFirst(encoded);
+    ScratchPool pool;
     parallelFor(order.size(), 1, [&](std::size_t place) {
         const std::size_t i = order[place];
         try {
-            images[i] = deferred.decode(i);
+            std::unique_ptr<DecodeScratch> scratch = pool.take();
+            images[i] = decodeTexture(encoded[i].bytes, encoded[i].name, encoded[i].file, *scratch);
+            pool.giveBack(std::move(scratch));
         } catch (...) {
             failures[i] = std::current_exception();
         }

@@ -24,6 +24,6 @@ void checkTotalSize(const std::vector<EncodedImage>& images, std::uint64_t maxTe
 
 /// Decodes them on all cores. The error is that of the first image that has one, however the work was spread over
 /// threads.
-std::vector<TextureImage> decodeAll(std::vector<EncodedImage> encoded);
+std::vector<TextureImage> decodeAll(const std::vector<EncodedImage>& encoded);
 
 } // namespace torrance

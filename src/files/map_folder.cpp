@@ -124,7 +124,7 @@ private:
             roles.push_back(role);
         }
         checkTotalSize(encoded, limits.texelBytes);
-        std::vector<TextureImage> decoded = decodeAll(std::move(encoded));
+        std::vector<TextureImage> decoded = decodeAll(encoded);
         for (std::size_t i = 0; i < roles.size(); ++i)
             images.emplace(roles[i], std::move(decoded[i]));
     }

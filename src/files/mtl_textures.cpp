@@ -29,7 +29,7 @@ public:
                 if (isUsed(*pair.from, key))
                     openSource(*pair.from, key);
         checkTotalSize(encoded, options.limits.texelBytes);
-        sources = decodeAll(std::move(encoded));
+        sources = decodeAll(encoded);
         imageOfSource.assign(sources.size(), -1);
         for (const MtlPair& pair : materials) {
             material = pair.from;

@@ -17,14 +17,9 @@ struct TextureSource
 void checkTextureSize(long long width, long long height, const TextureSource& source);
 [[noreturn]] void throwCorrupt(const TextureSource& source, const std::string& problem);
 
-/// What decoding begins with: an image without texels, or the error that decoding would give.
-TextureImage pngHeader(std::span<const std::byte> bytes, const TextureSource& source);
-TextureImage jpegHeader(std::span<const std::byte> bytes, const TextureSource& source);
-TextureImage webpHeader(std::span<const std::byte> bytes, const TextureSource& source);
-
 TextureImage decodePng(std::span<const std::byte> bytes, const TextureSource& source, DecodeScratch& scratch);
-TextureImage decodeJpeg(std::span<const std::byte> bytes, const TextureSource& source, DecodeScratch& scratch);
-TextureImage decodeWebp(std::span<const std::byte> bytes, const TextureSource& source, DecodeScratch& scratch);
+TextureImage decodeJpeg(std::span<const std::byte> bytes, const TextureSource& source);
+TextureImage decodeWebp(std::span<const std::byte> bytes, const TextureSource& source);
 
 std::optional<ImageSize> pngSize(std::span<const std::byte> bytes);
 std::optional<ImageSize> jpegSize(std::span<const std::byte> bytes);

@@ -38,16 +38,6 @@ Kind kindOf(std::span<const std::byte> bytes)
     return Kind::unknown;
 }
 
-Kind knownKindOf(std::span<const std::byte> bytes, const TextureSource& source)
-{
-    if (bytes.empty())
-        throwCorrupt(source, "the image is empty");
-    const Kind kind = kindOf(bytes);
-    if (kind == Kind::unknown)
-        throw inputError(source.file, source.name, "the image is neither PNG nor JPEG nor WebP", "convert it to PNG");
-    return kind;
-}
-
 } // namespace
 
 void checkTextureSize(long long width, long long height, const TextureSource& source)
@@ -75,27 +65,19 @@ TextureImage decodeTexture(std::span<const std::byte> bytes, const std::string& 
                            DecodeScratch& scratch)
 {
     const TextureSource source{name, file};
-    switch (knownKindOf(bytes, source)) {
+    if (bytes.empty())
+        throwCorrupt(source, "the image is empty");
+    switch (kindOf(bytes)) {
     case Kind::png:
         return decodePng(bytes, source, scratch);
     case Kind::jpeg:
-        return decodeJpeg(bytes, source, scratch);
-    default:
-        return decodeWebp(bytes, source, scratch);
+        return decodeJpeg(bytes, source);
+    case Kind::webp:
+        return decodeWebp(bytes, source);
+    case Kind::unknown:
+        break;
     }
-}
-
-TextureImage textureHeader(std::span<const std::byte> bytes, const std::string& name, const std::string& file)
-{
-    const TextureSource source{name, file};
-    switch (knownKindOf(bytes, source)) {
-    case Kind::png:
-        return pngHeader(bytes, source);
-    case Kind::jpeg:
-        return jpegHeader(bytes, source);
-    default:
-        return webpHeader(bytes, source);
-    }
+    throw inputError(file, name, "the image is neither PNG nor JPEG nor WebP", "convert it to PNG");
 }
 
 bool isTexture(std::span<const std::byte> bytes)

@@ -31,9 +31,6 @@ TextureImage decodeTexture(std::span<const std::byte> bytes, const std::string& 
 TextureImage decodeTexture(std::span<const std::byte> bytes, const std::string& name, const std::string& file,
                            DecodeScratch& scratch);
 
-/// Name, size and format of what decodeTexture gives, without its texels. Errors as there, of what a header tells.
-TextureImage textureHeader(std::span<const std::byte> bytes, const std::string& name, const std::string& file);
-
 /// Whether the bytes start as PNG, JPEG or WebP do.
 bool isTexture(std::span<const std::byte> bytes);
 

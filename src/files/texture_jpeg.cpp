@@ -1,4 +1,5 @@
 #include "core/error.h"
+#include "core/huge_pages.h"
 #include "core/log.h"
 #include "files/texture_decoders.h"
 
@@ -56,7 +57,7 @@ TextureImage decodeJpeg(std::span<const std::byte> bytes, const TextureSource& s
 
     TextureImage image{.name = source.name, .width = header.width, .height = header.height, .texels = {}};
     const std::size_t rowBytes = static_cast<std::size_t>(header.width) * bytesPerTexel(image.format);
-    image.texels.resize(rowBytes * static_cast<std::size_t>(header.height));
+    resizeLarge(image.texels, rowBytes * static_cast<std::size_t>(header.height));
     // LIMITSCANS: a progressive file of many empty scans would take for ever.
     const int status =
         tjDecompress2(decoder.get(), data(bytes), bytes.size(), reinterpret_cast<unsigned char*>(image.texels.data()),

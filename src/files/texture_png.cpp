@@ -141,19 +141,13 @@ TextureImage readUpToTexels(PngReader& reader, std::size_t fileBytes, const Text
 
 } // namespace
 
-TextureImage pngHeader(std::span<const std::byte> bytes, const TextureSource& source)
-{
-    PngReader reader(bytes);
-    return readUpToTexels(reader, bytes.size(), source);
-}
-
 TextureImage decodePng(std::span<const std::byte> bytes, const TextureSource& source, DecodeScratch& scratch)
 {
     PngReader reader(bytes);
     TextureImage image = readUpToTexels(reader, bytes.size(), source);
     const auto height = static_cast<std::size_t>(image.height);
     const std::size_t rowBytes = static_cast<std::size_t>(image.width) * bytesPerTexel(image.format);
-    image.texels = scratch.takeTexels(rowBytes * height);
+    resizeLarge(image.texels, rowBytes * height);
     constexpr std::size_t kChunkHeader = 8; // of the first IDAT, which has been read
     if (readPngTexels(layoutOf(reader), {reader.next - kChunkHeader, reader.left + kChunkHeader}, scratch,
                       image.texels.data()))

@@ -1,4 +1,5 @@
 #include "core/error.h"
+#include "core/huge_pages.h"
 #include "files/texture_decoders.h"
 
 #include <webp/decode.h>
@@ -24,7 +25,7 @@ TextureImage decodeWebp(std::span<const std::byte> bytes, const TextureSource& s
 
     TextureImage image{.name = source.name, .width = features.width, .height = features.height, .texels = {}};
     const std::size_t rowBytes = static_cast<std::size_t>(features.width) * bytesPerTexel(image.format);
-    image.texels.resize(rowBytes * static_cast<std::size_t>(features.height));
+    resizeLarge(image.texels, rowBytes * static_cast<std::size_t>(features.height));
     // Straight alpha, one where the file has none.
     if (WebPDecodeRGBAInto(data(bytes), bytes.size(), reinterpret_cast<std::uint8_t*>(image.texels.data()),
                            image.texels.size(), static_cast<int>(rowBytes)) == nullptr)

@@ -109,7 +109,7 @@ bool isChosen(const DeviceDescription& device, std::size_t index, const std::str
     if (choice.empty())
         return true;
     if (choice == "cpu")
-        return device.kind == "CPU";
+        return device.isProcessor();
     std::size_t number = 0;
     const auto [end, failure] = std::from_chars(choice.data(), choice.data() + choice.size(), number);
     if (failure == std::errc() && end == choice.data() + choice.size())

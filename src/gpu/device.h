@@ -30,6 +30,9 @@ struct DeviceDescription
     std::string driverVersion;
     std::string apiVersion;
     std::vector<std::string> missing;
+
+    /// A software driver: its memory is the host's, and the host's cores draw.
+    bool isProcessor() const { return kind == "CPU"; }
 };
 
 /// All devices of this machine, in Vulkan's order. Error (noDevice) where there is no Vulkan loader.

@@ -18,7 +18,7 @@ void preferHugePagesOnHost(const Device& device, const vk::raii::DeviceMemory& m
                            vk::DeviceSize size)
 {
     const bool mappable = bool(device.memory.memoryTypes[type].propertyFlags & MemoryBit::eHostVisible);
-    if (device.description.kind != "CPU" || !mappable || size < kLargeImage)
+    if (!device.description.isProcessor() || !mappable || size < kLargeImage)
         return;
     preferHugePages(memory.mapMemory(0, VK_WHOLE_SIZE), size);
     memory.unmapMemory();
@@ -99,7 +99,7 @@ DeviceImage makeImage(const Device& device, const ImageShape& shape, vk::ImageUs
 
 bool canSampleRows(const Device& device, const ImageShape& shape)
 {
-    if (device.description.kind != "CPU" || shape.layers != 1)
+    if (!device.description.isProcessor() || shape.layers != 1)
         return false;
     constexpr auto kNeeded =
         vk::FormatFeatureFlagBits::eSampledImage | vk::FormatFeatureFlagBits::eSampledImageFilterLinear;

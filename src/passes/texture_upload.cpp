@@ -3,11 +3,11 @@
 #include "gpu/buffer.h"
 #include "gpu/commands.h"
 #include "passes/sampler.h"
+#include "plan/level_plan.h"
 #include "prepare/texture_levels.h"
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 
 namespace torrance {
 namespace {
@@ -106,8 +106,7 @@ gpu::DeviceImage makeTexture(const gpu::Device& device, const Scene& scene, cons
 Textures::Textures(const gpu::Device& device, const Scene& scene, const ShadingPlan& plan,
                    std::span<const int> finestLevels)
 {
-    // N samples a pixel: each stands for 1/N of its area, so the level may be finer by half a step per doubling.
-    const float lodBias = -0.5f * std::log2(static_cast<float>(plan.settings.samples));
+    const auto lodBias = static_cast<float>(levelBias(plan.settings));
     for (std::size_t i = 0; i < plan.textures.size(); ++i) {
         const PlannedTexture& texture = plan.textures[i];
         images.push_back(makeTexture(device, scene, texture, finestLevels[i]));

@@ -29,17 +29,6 @@ bool sampledAlike(const Scene& scene, const ShadingPlan& plan, const Material& m
     return true;
 }
 
-bool hasAttributes(const Scene& scene, const ShadingPlan& plan, const Batch& batch)
-{
-    const ShaderKey& key = batch.key;
-    if (key.surface != SurfaceKind::triangles || !key.normals || key.colors)
-        return false;
-    return std::ranges::all_of(batch.draws, [&](const Draw& draw) {
-        const int material = plan.blocks[static_cast<std::size_t>(draw.block)].material;
-        return sampledAlike(scene, plan, plan.materials[static_cast<std::size_t>(material)].material, batch.textures);
-    });
-}
-
 // The blocks of a batch's draws, each once.
 std::vector<int> blocksOf(const Batch& batch)
 {
@@ -60,13 +49,13 @@ public:
     {
         std::vector<Batch> batches;
         for (Batch& batch : plan.batches)
-            if (hasAttributes(scene, plan, batch))
+            if (leavesAttributes(scene, plan, batch))
                 std::ranges::move(parts(std::move(batch)), std::back_inserter(batches));
             else
                 batches.push_back(std::move(batch));
         plan.batches = std::move(batches);
         for (Batch& batch : plan.batches)
-            if (hasAttributes(scene, plan, batch))
+            if (leavesAttributes(scene, plan, batch))
                 assign(batch);
     }
 
@@ -130,6 +119,17 @@ private:
 
 } // namespace
 
+bool leavesAttributes(const Scene& scene, const ShadingPlan& plan, const Batch& batch)
+{
+    const ShaderKey& key = batch.key;
+    if (key.surface != SurfaceKind::triangles || !key.normals || key.colors)
+        return false;
+    return std::ranges::all_of(batch.draws, [&](const Draw& draw) {
+        const int material = plan.blocks[static_cast<std::size_t>(draw.block)].material;
+        return sampledAlike(scene, plan, plan.materials[static_cast<std::size_t>(material)].material, batch.textures);
+    });
+}
+
 void planAttributes(const Scene& scene, ShadingPlan& plan)
 {
     ClassPlanner(scene, plan).run();
@@ -149,13 +149,6 @@ ShaderKey resolveKey(const ShaderKey& key)
 std::size_t attributePictures(const ShadingPlan& plan)
 {
     return std::ranges::any_of(plan.classes, [](const ShadingClass& c) { return c.key.usesUv(0); }) ? 2 : 1;
-}
-
-ivec2 sizeOf(const Scene& scene, const PlannedTexture& texture)
-{
-    const auto source = std::ranges::find_if(texture.channels, [](const ChannelSource& c) { return c.image >= 0; });
-    const TextureImage& image = scene.images[static_cast<std::size_t>(source->image)];
-    return {image.width, image.height};
 }
 
 } // namespace torrance

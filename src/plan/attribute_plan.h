@@ -13,13 +13,13 @@ inline constexpr std::size_t kMaxClassMaterials = 256;
 /// analytic shapes, and those whose textures are not all sampled at one place and of one proportion.
 void planAttributes(const Scene& scene, ShadingPlan& plan);
 
+/// Whether a batch can be shaded from its attributes.
+bool leavesAttributes(const Scene& scene, const ShadingPlan& plan, const Batch& batch);
+
 /// What of a surface's key decides how it is shaded from its attributes.
 ShaderKey resolveKey(const ShaderKey& key);
 
 /// How many pictures hold attributes: the second is of texture coordinates, which some class must read.
 std::size_t attributePictures(const ShadingPlan& plan);
-
-/// Width and height of a planned texture.
-ivec2 sizeOf(const Scene& scene, const PlannedTexture& texture);
 
 } // namespace torrance

@@ -1,6 +1,5 @@
 #include "plan/level_plan.h"
 
-#include "plan/attribute_plan.h"
 #include "scene/camera_view.h"
 
 #include <algorithm>
@@ -94,8 +93,7 @@ private:
         for (const auto* list : {&plan.batches, &plan.blended})
             for (const Batch& batch : *list)
                 for (const Draw& draw : batch.draws)
-                    if (draw.primitive >= 0)
-                        count += static_cast<double>(primitiveOf(draw).indices.size()) / 3.0 * draw.instanceCount;
+                    count += triangleCount(scene, draw);
         return count;
     }
 
@@ -149,8 +147,7 @@ private:
         const PlannedTexture& planned = plan.textures[texture];
         if (planned.sampler.mip == MipFilter::none || !(least[texture] > 0.0) || std::isinf(least[texture]))
             return 0;
-        const double bias = -0.5 * std::log2(static_cast<double>(plan.settings.samples)); // passes/texture_upload.cpp
-        const double level = std::floor(std::log2(least[texture]) + bias - kLevelMargin);
+        const double level = std::floor(std::log2(least[texture]) + levelBias(plan.settings) - kLevelMargin);
         const ivec2 size = sizeOf(scene, planned);
         int finest = 0;
         while (finest < level && size.x % (2 << finest) == 0 && size.y % (2 << finest) == 0)
@@ -165,6 +162,11 @@ private:
 };
 
 } // namespace
+
+double levelBias(const Settings& settings)
+{
+    return -0.5 * std::log2(static_cast<double>(settings.samples));
+}
 
 std::vector<int> finestLevels(const Scene& scene, const ShadingPlan& plan, const Camera& camera)
 {

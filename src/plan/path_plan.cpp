@@ -1,6 +1,7 @@
 #include "plan/path_plan.h"
 
 #include "core/error.h"
+#include "plan/attribute_plan.h"
 
 #include <algorithm>
 #include <array>
@@ -13,15 +14,14 @@ namespace {
 /// BoomBoxWithAxes, 0.016, 0.94 to 1.1; a box of 12 triangles 1.5.
 constexpr double kTrianglesPerPixel = 0.25;
 
-double triangleCount(const Scene& scene, const ShadingPlan& plan)
+// Of what the attributes path would shade once a pixel.
+double attributeTriangles(const Scene& scene, const ShadingPlan& plan)
 {
     double count = 0.0;
     for (const Batch& batch : plan.batches)
-        for (const Draw& draw : batch.draws)
-            if (draw.primitive >= 0)
-                count +=
-                    static_cast<double>(scene.primitives[static_cast<std::size_t>(draw.primitive)].indices.size()) /
-                    3.0 * draw.instanceCount;
+        if (leavesAttributes(scene, plan, batch))
+            for (const Draw& draw : batch.draws)
+                count += triangleCount(scene, draw);
     return count;
 }
 
@@ -52,11 +52,11 @@ struct Reason
 Reason chosen(const Scene& scene, const ShadingPlan& plan)
 {
     const Settings& s = plan.settings;
-    const double perPixel = triangleCount(scene, plan) / (static_cast<double>(s.width) * s.height);
+    const double perPixel = attributeTriangles(scene, plan) / (static_cast<double>(s.width) * s.height);
     if (!anyLitMesh(plan))
         return {RenderPath::forward, "no opaque mesh is lit"};
     if (perPixel < kTrianglesPerPixel)
-        return {RenderPath::prepass, "what is hidden is not shaded, and triangles are larger than pixels"};
+        return {RenderPath::prepass, "what is hidden is not shaded, and too few triangles are smaller than pixels"};
     if (const char* lack = lackOfAttributes(plan))
         return {RenderPath::prepass, std::string("the attributes path lacks ") + lack};
     return {RenderPath::attributes, "there are " + std::to_string(perPixel) + " triangles a pixel"};

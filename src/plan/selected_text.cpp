@@ -26,13 +26,22 @@ void defineUv(std::string& text, const TextureKey& key, const std::string& macro
         text += "#define " + macro + "_SOURCE " + uv + "\n";
 }
 
+struct UvNames
+{
+    TextureKey ShaderKey::*texture;
+    const char* macro;
+    const char* input;
+};
+constexpr UvNames kUvNames[] = {{&ShaderKey::baseColor, "BASE_COLOR_UV", "inBaseColorUv"},
+                                {&ShaderKey::material, "MATERIAL_UV", "inMaterialUv"},
+                                {&ShaderKey::normal, "NORMAL_UV", "inNormalUv"},
+                                {&ShaderKey::occlusion, "OCCLUSION_UV", "inOcclusionUv"},
+                                {&ShaderKey::emissive, "EMISSIVE_UV", "inEmissiveUv"}};
+
 void defineUvs(std::string& text, const ShaderKey& key)
 {
-    defineUv(text, key.baseColor, "BASE_COLOR_UV", "inBaseColorUv");
-    defineUv(text, key.material, "MATERIAL_UV", "inMaterialUv");
-    defineUv(text, key.normal, "NORMAL_UV", "inNormalUv");
-    defineUv(text, key.occlusion, "OCCLUSION_UV", "inOcclusionUv");
-    defineUv(text, key.emissive, "EMISSIVE_UV", "inEmissiveUv");
+    for (const UvNames& names : kUvNames)
+        defineUv(text, key.*names.texture, names.macro, names.input);
 }
 
 // Which texel's channel a scalar is, as a member of Texels (shaders/material/texels.glsl).
@@ -172,13 +181,9 @@ namespace {
 // Where the vertex shader's one pair of texture coordinates is.
 std::string attributeUv(const ShaderKey& key)
 {
-    for (const auto& [texture, name] : {std::pair(&key.baseColor, "BASE_COLOR_UV"),
-                                        {&key.material, "MATERIAL_UV"},
-                                        {&key.normal, "NORMAL_UV"},
-                                        {&key.occlusion, "OCCLUSION_UV"},
-                                        {&key.emissive, "EMISSIVE_UV"}})
-        if (texture->used)
-            return name;
+    for (const UvNames& names : kUvNames)
+        if ((key.*names.texture).used)
+            return names.macro;
     return "";
 }
 

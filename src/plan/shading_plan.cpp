@@ -10,7 +10,6 @@
 #include "plan/primitive_facts.h"
 
 #include <algorithm>
-#include <cassert>
 #include <limits>
 #include <map>
 #include <tuple>
@@ -385,14 +384,19 @@ bool readsAlbedo(const brdf::Preset& methods, bool compensates)
     return brdf::isComposed(methods) && (compensates || methods.diffuseWeight->readsAlbedo);
 }
 
-ShadingPlan makePlan(const Scene& scene, const Settings& settings)
+double triangleCount(const Scene& scene, const Draw& draw)
 {
-    return makePlan(scene, texelFacts(scene), settings);
+    if (draw.primitive < 0)
+        return 0.0;
+    const Primitive& primitive = scene.primitives[static_cast<std::size_t>(draw.primitive)];
+    return primitive.topology == Topology::triangles
+               ? static_cast<double>(primitive.indices.size()) / 3.0 * draw.instanceCount
+               : 0.0;
 }
 
-ShadingPlan makePlan(const Scene& scene, std::span<const TexelFacts> facts, const Settings& settings)
+ShadingPlan makePlan(const Scene& scene, const Settings& settings)
 {
-    assert(facts.size() == scene.images.size());
+    const std::vector<TexelFacts> facts = texelFacts(scene);
     return Planner(scene, facts, settings).run();
 }
 

@@ -11,7 +11,6 @@
 #include "scene/scene.h"
 
 #include <array>
-#include <span>
 #include <string>
 #include <vector>
 
@@ -90,8 +89,9 @@ struct ShadingPlan
 
 /// Throws Error (usage) where methods are combined that no table was made for.
 ShadingPlan makePlan(const Scene& scene, const Settings& settings);
-/// The same where the facts of the scene's images are known: their texels are not looked at.
-ShadingPlan makePlan(const Scene& scene, std::span<const TexelFacts> facts, const Settings& settings);
+
+/// Of all instances; 0 for an analytic shape.
+double triangleCount(const Scene& scene, const Draw& draw);
 
 /// Whether the environment's part needs a table of directional albedos: that of the slot dfg, or source B's map.
 bool environmentReadsTable(const ShadingPlan& plan);

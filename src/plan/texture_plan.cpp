@@ -184,6 +184,13 @@ private:
 
 } // namespace
 
+ivec2 sizeOf(const Scene& scene, const PlannedTexture& texture)
+{
+    const auto source = std::ranges::find_if(texture.channels, [](const ChannelSource& c) { return c.image >= 0; });
+    const TextureImage& image = scene.images[static_cast<std::size_t>(source->image)];
+    return {image.width, image.height};
+}
+
 const TextureUse& useOf(const Material& m, TextureRole role)
 {
     switch (role) {

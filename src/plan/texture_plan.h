@@ -40,6 +40,9 @@ enum class TextureRole
 };
 inline constexpr std::size_t kTextureRoles = 5;
 
+/// Width and height of a planned texture.
+ivec2 sizeOf(const Scene& scene, const PlannedTexture& texture);
+
 /// Where and how a material reads the texture of a role; scalars that lie in another's alpha are read where that is.
 const TextureUse& useOf(const Material& material, TextureRole role);
 

@@ -1,7 +1,9 @@
 #include "core/disk_cache.h"
 
+#include <chrono>
 #include <fstream>
 #include <gtest/gtest.h>
+#include <sys/wait.h>
 #include <unistd.h>
 
 namespace torrance {
@@ -56,7 +58,7 @@ TEST_F(DiskCacheTest, StaysBelowItsBound)
     DiskCache cache(folder, 1000);
     for (int i = 0; i < 20; ++i)
         cache.store(hashText(std::to_string(i)), bytes(200, i));
-    EXPECT_LE(entries(), 4u) << "four entries of 224 bytes fit in 1000";
+    EXPECT_LE(entries(), 4u) << "four entries of 248 bytes fit in 1000";
     EXPECT_GE(entries(), 1u);
     EXPECT_TRUE(cache.load(hashText("19"))) << "the newest stays";
     cache.store(hashText("large"), bytes(2000, 1));
@@ -76,6 +78,92 @@ TEST_F(DiskCacheTest, NoFolderIsNoCache)
     DiskCache cache({}, 1 << 20);
     cache.store(hashText("a"), bytes(10, 1));
     EXPECT_FALSE(cache.load(hashText("a")));
+}
+
+TEST_F(DiskCacheTest, AnEntryOfAnotherVersionIsAMissAndIsMadeAgain)
+{
+    DiskCache cache(folder, 1 << 20);
+    cache.store(hashText("a"), bytes(100, 7));
+    const fs::path file = folder / hashText("a").hex();
+    std::fstream(file, std::ios::in | std::ios::out | std::ios::binary).seekp(7).put('1'); // the version's digit
+    EXPECT_FALSE(cache.load(hashText("a")));
+    cache.store(hashText("a"), bytes(100, 8));
+    EXPECT_EQ(cache.load(hashText("a")), bytes(100, 8));
+    fs::rename(file, folder / hashText("b").hex());
+    EXPECT_FALSE(cache.load(hashText("b"))) << "another key's content";
+}
+
+// A process that is ended while it writes leaves a file under a name of its own, which the next one to write removes
+// once nobody can be at work on it.
+TEST_F(DiskCacheTest, WhatAKilledProcessLeftGoes)
+{
+    DiskCache cache(folder, 1 << 20);
+    cache.store(hashText("a"), bytes(100, 7));
+    const auto leave = [&](const char* number, std::chrono::hours age) {
+        const fs::path file = folder / ("." + hashText("b").hex() + "." + number);
+        std::ofstream(file) << "half";
+        fs::last_write_time(file, fs::file_time_type::clock::now() - age);
+        return file;
+    };
+    const fs::path old = leave("123-0", std::chrono::hours(2)), recent = leave("124-0", std::chrono::hours(0));
+    EXPECT_FALSE(cache.load(hashText("b")));
+    cache.store(hashText("c"), bytes(100, 7));
+    EXPECT_FALSE(fs::exists(old));
+    EXPECT_TRUE(fs::exists(recent));
+    EXPECT_EQ(cache.load(hashText("a")), bytes(100, 7));
+}
+
+TEST_F(DiskCacheTest, WhatWasUsedLastStaysLongestAndOthersFilesStay)
+{
+    DiskCache cache(folder, 1000);
+    cache.store(hashText("a"), bytes(300, 1));
+    cache.store(hashText("b"), bytes(300, 2));
+    std::ofstream(folder / "notes.txt") << std::string(5000, 'x');
+    const auto ago = fs::file_time_type::clock::now();
+    fs::last_write_time(folder / hashText("a").hex(), ago - std::chrono::hours(72));
+    fs::last_write_time(folder / hashText("b").hex(), ago - std::chrono::hours(48));
+    EXPECT_TRUE(cache.load(hashText("a"))) << "and counts as used now";
+    cache.store(hashText("c"), bytes(300, 3));
+    EXPECT_TRUE(cache.load(hashText("a")));
+    EXPECT_FALSE(cache.load(hashText("b")));
+    EXPECT_TRUE(fs::exists(folder / "notes.txt"));
+}
+
+// Processes that fill one folder at once, past its bound: whoever reads an entry gets all of it or none.
+TEST_F(DiskCacheTest, SeveralProcessesFillItAtOnce)
+{
+    constexpr int kProcesses = 4, kRounds = 200, kKeys = 7;
+    std::vector<pid_t> children;
+    for (int process = 0; process < kProcesses; ++process) {
+        const pid_t child = fork();
+        ASSERT_GE(child, 0);
+        if (child > 0) {
+            children.push_back(child);
+            continue;
+        }
+        DiskCache cache(folder, 20000);
+        bool whole = true;
+        for (int round = 0; round < kRounds; ++round) {
+            const int key = (round * 3 + process) % kKeys;
+            cache.store(hashText(std::to_string(key)), bytes(5000, key));
+            const auto read = cache.load(hashText(std::to_string((key + 1) % kKeys)));
+            whole = whole && (!read || *read == bytes(5000, (key + 1) % kKeys));
+        }
+        _exit(whole ? 0 : 1);
+    }
+    for (const pid_t child : children) {
+        int status = 0;
+        ASSERT_EQ(waitpid(child, &status, 0), child);
+        EXPECT_TRUE(WIFEXITED(status) && WEXITSTATUS(status) == 0);
+    }
+    std::size_t found = 0;
+    DiskCache cache(folder, 20000);
+    for (int key = 0; key < kKeys; ++key)
+        if (const auto read = cache.load(hashText(std::to_string(key)))) {
+            EXPECT_EQ(*read, bytes(5000, key));
+            ++found;
+        }
+    EXPECT_GE(found, 1u);
 }
 
 } // namespace

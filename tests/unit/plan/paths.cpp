@@ -45,6 +45,14 @@ TEST(PathPlan, LeavesAttributesWhereTrianglesAreSmallerThanPixels)
     EXPECT_EQ(makePlan(scene, sized(64)).path, RenderPath::prepass);
 }
 
+TEST(PathPlan, CountsWhatCanLeaveAttributes)
+{
+    Scene scene = litScene();
+    scene.instances.assign(4096, Instance{});
+    scene.primitives[0].colors.assign(3, vec4(0.5f)); // shaded as they are drawn
+    EXPECT_EQ(makePlan(scene, sized(64)).path, RenderPath::prepass);
+}
+
 TEST(PathPlan, DrawsForwardWhatHasNoLitMesh)
 {
     Scene unlit = litScene();
