@@ -6,30 +6,23 @@ struct AttributeBits
     uint slot;       // of the material among those of its class: 8 bits
     bool back;       // the far side of a double-sided surface is seen: the normal is to be turned
     bool leftHanded; // the tangent's sign
-    float level;     // of detail: 0 = the finest, kept in steps of 1/4096 up to 16
+    float level;     // of detail: 0 = the finest, kept in steps of 2^-16 up to 16
 };
 
 const float kNoDirection = 2.0; // outside of the square
-const float kLevelSteps = 4096.0;
-const float kGreatestLevel = 15.99; // of a texture 64 thousand texels a side
+const float kLevelSteps = 65536.0;
+const float kGreatestLevel = 15.999; // of a texture 64 thousand texels a side
+const uint kLevelShift = 10u;
 
 uint packBits(AttributeBits bits)
 {
     uint level = uint(clamp(bits.level, 0.0, kGreatestLevel) * kLevelSteps + 0.5);
-    return bits.slot | (bits.back ? 1u << 8u : 0u) | (bits.leftHanded ? 1u << 9u : 0u) | level << 16u;
+    return bits.slot | (bits.back ? 1u << 8u : 0u) | (bits.leftHanded ? 1u << 9u : 0u) | level << kLevelShift;
 }
 
 AttributeBits unpackBits(uint word)
 {
-    return AttributeBits(word & 255u, (word & 1u << 8u) != 0u, (word & 1u << 9u) != 0u, float(word >> 16u) / kLevelSteps);
-}
-
-// Vulkan 1.3, 16.5.7: the logarithm of the longer side of a pixel's footprint, in texels of the finest level. No footprint, as of
-// coordinates that do not change: the finest.
-float levelOfDetail(vec2 across, vec2 down)
-{
-    float longest2 = max(dot(across, across), dot(down, down));
-    return longest2 > 0.0 ? 0.5 * log2(longest2) : 0.0;
+    return AttributeBits(word & 255u, (word & 1u << 8u) != 0u, (word & 1u << 9u) != 0u, float(word >> kLevelShift) / kLevelSteps);
 }
 
 // A point of the octahedron's upper half for one of the lower half, and the other way round.

@@ -34,7 +34,7 @@ void main()
     vec2 tangent = vec2(0.0);
 #ifdef ATTRIBUTE_UV
     uv = ATTRIBUTE_UV;
-    bits.level = levelOfDetail(dFdx(uv) * material.texels, dFdy(uv) * material.texels);
+    bits.level = textureQueryLod(LEVEL_TEXTURE, uv).y; // the device's own: its logarithm may be an approximate one
 #endif
 #ifdef TANGENTS
     tangent = octahedral(inTangent.xyz);

@@ -30,8 +30,7 @@ struct Material
 
     // Read where a surface's attributes are kept apart from its shading.
     uint slot;            // number among the materials of its class
-    vec2 texels;          // size of the textures that its level of detail is told in
-    vec4 levels;          // what that level differs by for base colour, scalars, normal, emissive
+    vec4 levels;          // what the level that is kept differs by for base colour, scalars, normal, emissive
     float occlusionLevel; // and for occlusion
 };
 

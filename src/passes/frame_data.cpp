@@ -1,11 +1,13 @@
 #include "passes/frame_data.h"
 
 #include "plan/attribute_plan.h"
+#include "plan/level_plan.h"
 #include "plan/light_plan.h"
 #include "scene/camera_view.h"
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 namespace torrance {
 namespace {
@@ -58,27 +60,30 @@ shared::UvTransform uvTransform(const TextureUse& use)
     return {.u = vec3(dvec3(t[0].x, t[1].x, t[2].x)), .v = vec3(dvec3(t[0].y, t[1].y, t[2].y))};
 }
 
-// The level of detail is told in texels of the largest texture, and never below 0; another's is finer by the ratio of
-// their sizes, and by the levels that are not there. Told in a smaller one's, it would end where that one is magnified.
-void setLevels(shared::Material& material, const Scene& scene, const ShadingPlan& plan, const TextureSet& textures,
+// What is kept is the level of one texture as it lies on the device, its sampler's bias in it. Another's is finer by
+// the ratio of their sizes, and each by the levels that are not there.
+void setLevels(shared::Material& material, const ShadingPlan& plan, const TextureSet& textures,
                std::span<const int> finestLevels)
 {
-    ivec2 largest(1);
-    for (const int texture : textures)
-        if (texture >= 0)
-            largest = glm::max(largest, sizeOf(scene, plan.textures[static_cast<std::size_t>(texture)]));
-    const auto levelOf = [&](TextureRole role) {
-        const int texture = textures[static_cast<std::size_t>(role)];
-        if (texture < 0)
-            return 0.0f;
-        const auto index = static_cast<std::size_t>(texture);
-        return static_cast<float>(std::log2(double(sizeOf(scene, plan.textures[index]).x) / largest.x) -
-                                  finestLevels[index]);
+    const std::optional<TextureRole> kept = levelRole(plan, textures);
+    if (!kept)
+        return;
+    const auto textureOf = [&](TextureRole role) { return textures[static_cast<std::size_t>(role)]; };
+    const auto finest = [&](int texture) { return finestLevels[static_cast<std::size_t>(texture)]; };
+    const auto planned = [&](int texture) -> const PlannedTexture& {
+        return plan.textures[static_cast<std::size_t>(texture)];
     };
-    material.texels = vec2(largest);
-    material.levels = vec4(levelOf(TextureRole::baseColor), levelOf(TextureRole::material),
-                           levelOf(TextureRole::normal), levelOf(TextureRole::emissive));
-    material.occlusionLevel = levelOf(TextureRole::occlusion);
+    const PlannedTexture& keptTexture = planned(textureOf(*kept));
+    const double keptBias = keptTexture.sampler.mip == MipFilter::none ? 0.0 : levelBias(plan.settings);
+    const auto difference = [&](TextureRole role) {
+        const int texture = textureOf(role);
+        return texture < 0 ? 0.0f
+                           : static_cast<float>(std::log2(double(planned(texture).width) / keptTexture.width) -
+                                                finest(texture) + finest(textureOf(*kept)) - keptBias);
+    };
+    material.levels = vec4(difference(TextureRole::baseColor), difference(TextureRole::material),
+                           difference(TextureRole::normal), difference(TextureRole::emissive));
+    material.occlusionLevel = difference(TextureRole::occlusion);
 }
 
 // See shared::Frame::viewFromDepth; the depth of a point is what projectionMatrix makes of it.
@@ -150,8 +155,7 @@ std::vector<shared::Instance> makeInstances(const ShadingPlan& plan, const MeshB
     return instances;
 }
 
-std::vector<shared::Material> makeMaterials(const Scene& scene, const ShadingPlan& plan,
-                                            std::span<const int> finestLevels)
+std::vector<shared::Material> makeMaterials(const ShadingPlan& plan, std::span<const int> finestLevels)
 {
     std::vector<shared::Material> materials;
     for (const MaterialBlock& block : plan.blocks) {
@@ -170,10 +174,9 @@ std::vector<shared::Material> makeMaterials(const Scene& scene, const ShadingPla
                                    .occlusionUv = uvTransform(m.occlusion),
                                    .emissiveUv = uvTransform(m.emissive),
                                    .slot = static_cast<std::uint32_t>(block.slot),
-                                   .texels = vec2(0.0f),
                                    .levels = vec4(0.0f),
                                    .occlusionLevel = 0.0f};
-        setLevels(result, scene, plan, block.textures, finestLevels);
+        setLevels(result, plan, block.textures, finestLevels);
         materials.push_back(result);
     }
     return materials;

@@ -20,8 +20,7 @@ shared::Frame makeFrame(const Scene& scene, const ShadingPlan& plan, const Camer
 
 std::vector<shared::Instance> makeInstances(const ShadingPlan& plan, const MeshBuffers& meshes, const dvec3& eye);
 /// By ShadingPlan::blocks.
-std::vector<shared::Material> makeMaterials(const Scene& scene, const ShadingPlan& plan,
-                                            std::span<const int> finestLevels);
+std::vector<shared::Material> makeMaterials(const ShadingPlan& plan, std::span<const int> finestLevels);
 std::vector<shared::Light> makeLights(const ShadingPlan& plan, const dvec3& eye);
 
 } // namespace torrance

@@ -62,7 +62,7 @@ DeviceScene Renderer::upload(const Scene& scene, const ShadingPlan& plan, const 
     return gpu::guarded(device, [&] {
         const std::vector<int> finest =
             onlyCamera ? finestLevels(scene, plan, *onlyCamera) : std::vector<int>(plan.textures.size(), 0);
-        const std::vector<shared::Material> materials = makeMaterials(scene, plan, finest);
+        const std::vector<shared::Material> materials = makeMaterials(plan, finest);
         return DeviceScene{.scene = scene,
                            .plan = plan,
                            .meshes = makeMeshBuffers(device, scene, plan),

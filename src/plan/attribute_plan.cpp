@@ -10,20 +10,21 @@ namespace {
 constexpr std::size_t kMaxClasses = 255; // numbers of a stencil buffer but for 0, which is nothing
 
 // One place and one level of detail for all textures of a batch's material.
-bool sampledAlike(const Scene& scene, const ShadingPlan& plan, const Material& material, const TextureSet& textures)
+bool sampledAlike(const ShadingPlan& plan, const Material& material, const TextureSet& textures)
 {
     const TextureUse* first = nullptr;
-    ivec2 size(0);
+    const PlannedTexture* firstTexture = nullptr;
     for (std::size_t role = 0; role < kTextureRoles; ++role) {
         if (textures[role] < 0)
             continue;
         const TextureUse& use = useOf(material, static_cast<TextureRole>(role));
-        const ivec2 own = sizeOf(scene, plan.textures[static_cast<std::size_t>(textures[role])]);
+        const PlannedTexture& own = plan.textures[static_cast<std::size_t>(textures[role])];
         if (!first) {
             first = &use;
-            size = own;
+            firstTexture = &own;
         }
-        if (use.uvSet != first->uvSet || use.transform != first->transform || own.x * size.y != own.y * size.x)
+        if (use.uvSet != first->uvSet || use.transform != first->transform ||
+            own.width * firstTexture->height != own.height * firstTexture->width)
             return false;
     }
     return true;
@@ -43,19 +44,19 @@ std::vector<int> blocksOf(const Batch& batch)
 class ClassPlanner
 {
 public:
-    ClassPlanner(const Scene& s, ShadingPlan& p) : scene(s), plan(p) {}
+    explicit ClassPlanner(ShadingPlan& p) : plan(p) {}
 
     void run()
     {
         std::vector<Batch> batches;
         for (Batch& batch : plan.batches)
-            if (leavesAttributes(scene, plan, batch))
+            if (leavesAttributes(plan, batch))
                 std::ranges::move(parts(std::move(batch)), std::back_inserter(batches));
             else
                 batches.push_back(std::move(batch));
         plan.batches = std::move(batches);
         for (Batch& batch : plan.batches)
-            if (leavesAttributes(scene, plan, batch))
+            if (leavesAttributes(plan, batch))
                 assign(batch);
     }
 
@@ -113,26 +114,25 @@ private:
         return shadingClass.blocks.back();
     }
 
-    const Scene& scene;
     ShadingPlan& plan;
 };
 
 } // namespace
 
-bool leavesAttributes(const Scene& scene, const ShadingPlan& plan, const Batch& batch)
+bool leavesAttributes(const ShadingPlan& plan, const Batch& batch)
 {
     const ShaderKey& key = batch.key;
     if (key.surface != SurfaceKind::triangles || !key.normals || key.colors)
         return false;
     return std::ranges::all_of(batch.draws, [&](const Draw& draw) {
         const int material = plan.blocks[static_cast<std::size_t>(draw.block)].material;
-        return sampledAlike(scene, plan, plan.materials[static_cast<std::size_t>(material)].material, batch.textures);
+        return sampledAlike(plan, plan.materials[static_cast<std::size_t>(material)].material, batch.textures);
     });
 }
 
-void planAttributes(const Scene& scene, ShadingPlan& plan)
+void planAttributes(ShadingPlan& plan)
 {
-    ClassPlanner(scene, plan).run();
+    ClassPlanner(plan).run();
 }
 
 ShaderKey resolveKey(const ShaderKey& key)
@@ -149,6 +149,21 @@ ShaderKey resolveKey(const ShaderKey& key)
 std::size_t attributePictures(const ShadingPlan& plan)
 {
     return std::ranges::any_of(plan.classes, [](const ShadingClass& c) { return c.key.usesUv(0); }) ? 2 : 1;
+}
+
+std::optional<TextureRole> levelRole(const ShadingPlan& plan, const TextureSet& textures)
+{
+    std::optional<TextureRole> largest;
+    int width = 0;
+    for (std::size_t role = 0; role < kTextureRoles; ++role) {
+        if (textures[role] < 0)
+            continue;
+        const int own = plan.textures[static_cast<std::size_t>(textures[role])].width;
+        if (own > width)
+            largest = static_cast<TextureRole>(role);
+        width = std::max(width, own);
+    }
+    return largest;
 }
 
 } // namespace torrance

@@ -122,7 +122,7 @@ private:
                        std::size_t texture)
     {
         const std::vector<vec2>& uvs = primitive.uvs[static_cast<std::size_t>(use.uvSet)];
-        const dvec2 size(sizeOf(scene, plan.textures[texture]));
+        const dvec2 size(plan.textures[texture].width, plan.textures[texture].height);
         for (std::size_t i = 0; i + 2 < primitive.indices.size(); i += 3) {
             std::array<dvec3, 3> p;
             std::array<dvec2, 3> texel;
@@ -148,9 +148,8 @@ private:
         if (planned.sampler.mip == MipFilter::none || !(least[texture] > 0.0) || std::isinf(least[texture]))
             return 0;
         const double level = std::floor(std::log2(least[texture]) + levelBias(plan.settings) - kLevelMargin);
-        const ivec2 size = sizeOf(scene, planned);
         int finest = 0;
-        while (finest < level && size.x % (2 << finest) == 0 && size.y % (2 << finest) == 0)
+        while (finest < level && planned.width % (2 << finest) == 0 && planned.height % (2 << finest) == 0)
             ++finest;
         return finest;
     }

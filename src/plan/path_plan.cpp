@@ -9,17 +9,19 @@
 namespace torrance {
 namespace {
 
-/// From so many triangles a pixel of the picture on, quads of triangles cost more than pixels do: each is shaded in
-/// fours, of which few are seen. Measured: MetalRoughSpheresNoTextures, 1 a pixel, 0.6 of the prepass path;
-/// BoomBoxWithAxes, 0.016, 0.94 to 1.1; a box of 12 triangles 1.5.
-constexpr double kTrianglesPerPixel = 0.25;
+/// From so many triangles a pixel of the picture on, shading at their edges costs more than keeping attributes does: a
+/// triangle is shaded in whole vectors of pixels. Time of the attributes path over that of the prepass, by
+/// `torrance bench --vary path=prepass,attributes` at several sizes of the picture, triangles a pixel before the colon:
+/// WaterBottle 0.27: 0.68, 0.069: 0.79, 0.017: 0.93, 0.0043: 1.06; BoomBoxWithAxes 0.25: 0.69, 0.064: 0.83, 0.028:
+/// 0.92, 0.016: 1.00; MetalRoughSpheresNoTextures 1: 0.46, 0.062: 0.67, 0.028: 0.77.
+constexpr double kTrianglesPerPixel = 1.0 / 64.0;
 
 // Of what the attributes path would shade once a pixel.
 double attributeTriangles(const Scene& scene, const ShadingPlan& plan)
 {
     double count = 0.0;
     for (const Batch& batch : plan.batches)
-        if (leavesAttributes(scene, plan, batch))
+        if (leavesAttributes(plan, batch))
             for (const Draw& draw : batch.draws)
                 count += triangleCount(scene, draw);
     return count;
@@ -56,7 +58,7 @@ Reason chosen(const Scene& scene, const ShadingPlan& plan)
     if (!anyLitMesh(plan))
         return {RenderPath::forward, "no opaque mesh is lit"};
     if (perPixel < kTrianglesPerPixel)
-        return {RenderPath::prepass, "what is hidden is not shaded, and too few triangles are smaller than pixels"};
+        return {RenderPath::prepass, "what is hidden is not shaded, and triangles cover many pixels"};
     if (const char* lack = lackOfAttributes(plan))
         return {RenderPath::prepass, std::string("the attributes path lacks ") + lack};
     return {RenderPath::attributes, "there are " + std::to_string(perPixel) + " triangles a pixel"};

@@ -26,6 +26,7 @@ void defineUv(std::string& text, const TextureKey& key, const std::string& macro
         text += "#define " + macro + "_SOURCE " + uv + "\n";
 }
 
+// By TextureRole.
 struct UvNames
 {
     TextureKey ShaderKey::*texture;
@@ -176,19 +177,6 @@ std::string selectedText(const ShadingPlan& plan, const ShaderKey& key)
     return text;
 }
 
-namespace {
-
-// Where the vertex shader's one pair of texture coordinates is.
-std::string attributeUv(const ShaderKey& key)
-{
-    for (const UvNames& names : kUvNames)
-        if ((key.*names.texture).used)
-            return names.macro;
-    return "";
-}
-
-} // namespace
-
 std::string attributesText(const ShadingPlan& plan, const Batch& batch)
 {
     const ShaderKey& key = batch.key;
@@ -203,8 +191,13 @@ std::string attributesText(const ShadingPlan& plan, const Batch& batch)
     define(text, "DOUBLE_SIDED", key.doubleSided);
     defineUvs(text, key);
     define(text, "ATTRIBUTES_HAVE_UV", attributePictures(plan) == 2);
-    if (const std::string uv = attributeUv(key); !uv.empty())
-        text += "#define ATTRIBUTE_UV " + uv + "\n";
+    constexpr const char* kSamplers[] = {"baseColorTexture", "scalarsTexture", "normalTexture", "occlusionTexture",
+                                         "emissiveTexture"}; // shaders/material/texels.glsl
+    if (const auto role = levelRole(plan, batch.textures)) {
+        const auto index = static_cast<std::size_t>(*role);
+        text.append("#define ATTRIBUTE_UV ").append(kUvNames[index].macro);
+        text.append("\n#define LEVEL_TEXTURE ").append(kSamplers[index]).append("\n");
+    }
     return text;
 }
 

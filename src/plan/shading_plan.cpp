@@ -47,7 +47,7 @@ public:
         if (plan.path == RenderPath::deferred)
             planDeferred(plan);
         if (plan.path == RenderPath::attributes)
-            planAttributes(scene, plan);
+            planAttributes(plan);
         return std::move(plan);
     }
 

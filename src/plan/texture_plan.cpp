@@ -79,9 +79,11 @@ private:
     PlannedTexture whole(const TextureUse& use, TexelContent content) const
     {
         const int image = imageOf(use);
-        return {.content = content,
-                .channels = {ChannelSource{image, 0}, {image, 1}, {image, 2}, {}},
-                .sampler = samplerOf(use)};
+        PlannedTexture texture;
+        texture.content = content;
+        texture.channels = {ChannelSource{image, 0}, {image, 1}, {image, 2}, {}};
+        texture.sampler = samplerOf(use);
+        return texture;
     }
 
     void addColors()
@@ -137,8 +139,9 @@ private:
         if (!needs.roughness && !needs.metallic)
             return;
         const int image = imageOf(material.metallicRoughness);
-        PlannedTexture texture = {
-            .content = TexelContent::data, .channels = {}, .sampler = samplerOf(material.metallicRoughness)};
+        PlannedTexture texture;
+        texture.content = TexelContent::data;
+        texture.sampler = samplerOf(material.metallicRoughness);
         if (withOcclusion) {
             texture.channels[0] = {imageOf(material.occlusion), 0};
             key.ambient = ScalarPlace::material;
@@ -159,9 +162,10 @@ private:
     {
         if (!needs.occlusion.used)
             return;
-        at(TextureRole::occlusion) = {.content = TexelContent::data,
-                                      .channels = {ChannelSource{imageOf(material.occlusion), 0}, {}, {}, {}},
-                                      .sampler = samplerOf(material.occlusion)};
+        PlannedTexture& texture = at(TextureRole::occlusion).emplace();
+        texture.content = TexelContent::data;
+        texture.channels[0] = {imageOf(material.occlusion), 0};
+        texture.sampler = samplerOf(material.occlusion);
         key.occlusion = needs.occlusion;
         key.ambient = ScalarPlace::own;
     }
@@ -184,13 +188,6 @@ private:
 
 } // namespace
 
-ivec2 sizeOf(const Scene& scene, const PlannedTexture& texture)
-{
-    const auto source = std::ranges::find_if(texture.channels, [](const ChannelSource& c) { return c.image >= 0; });
-    const TextureImage& image = scene.images[static_cast<std::size_t>(source->image)];
-    return {image.width, image.height};
-}
-
 const TextureUse& useOf(const Material& m, TextureRole role)
 {
     switch (role) {
@@ -210,7 +207,17 @@ const TextureUse& useOf(const Material& m, TextureRole role)
 
 RoleTextures planTextures(const Scene& scene, const Material& material, const TextureNeeds& needs, ShaderKey& key)
 {
-    return Packer(scene, material, needs, key).run();
+    RoleTextures textures = Packer(scene, material, needs, key).run();
+    for (std::optional<PlannedTexture>& texture : textures) {
+        if (!texture)
+            continue;
+        const auto source =
+            std::ranges::find_if(texture->channels, [](const ChannelSource& c) { return c.image >= 0; });
+        const TextureImage& image = scene.images[static_cast<std::size_t>(source->image)];
+        texture->width = image.width;
+        texture->height = image.height;
+    }
+    return textures;
 }
 
 } // namespace torrance

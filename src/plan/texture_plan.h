@@ -21,7 +21,9 @@ struct ChannelSource
 struct PlannedTexture
 {
     TexelContent content = TexelContent::color; // of the first three channels; the fourth is linear
-    std::array<ChannelSource, 4> channels;      // of images of one size
+    std::array<ChannelSource, 4> channels;      // of images of this size
+    int width = 0;
+    int height = 0;
     Sampler sampler;
     bool weighByAlpha = false;  // colours count by their alpha where texels are averaged
     bool lengthInAlpha = false; // of normals: the length of their mean, which Toksvig's filter reads
@@ -39,9 +41,6 @@ enum class TextureRole
     emissive,
 };
 inline constexpr std::size_t kTextureRoles = 5;
-
-/// Width and height of a planned texture.
-ivec2 sizeOf(const Scene& scene, const PlannedTexture& texture);
 
 /// Where and how a material reads the texture of a role; scalars that lie in another's alpha are read where that is.
 const TextureUse& useOf(const Material& material, TextureRole role);

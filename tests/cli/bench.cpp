@@ -44,7 +44,7 @@ std::size_t linesOf(const std::string& file)
 TEST(Bench, SaysWhatAFrameCostsAndWhatItIsMadeOf)
 {
     const TestFolder folder;
-    const json record = jsonOf(with(kCube, {"--csv", folder.file("frames.csv")}));
+    const json record = jsonOf(with(kCube, {"--path", "forward", "--csv", folder.file("frames.csv")}));
     EXPECT_EQ(record["schema"], "torrance-bench/1");
     for (const char* text : {"program", "date", "processor", "system", "device", "driver", "clock"})
         EXPECT_FALSE(record[text].get<std::string>().empty()) << text;
@@ -55,6 +55,7 @@ TEST(Bench, SaysWhatAFrameCostsAndWhatItIsMadeOf)
     EXPECT_EQ(cube["height"], 12);
     EXPECT_EQ(cube["triangles"], 12);
     EXPECT_EQ(cube["draws"], 1);
+    EXPECT_EQ(cube["path"], "forward");
     for (const char* clock : {"cpu_ms", "wall_ms"}) {
         EXPECT_EQ(cube[clock]["count"], 12);
         EXPECT_GT(cube[clock]["low"], 0.0);

@@ -76,10 +76,14 @@ TEST(DeferredPlan, RefusesWhatReadsTheSurfaceAround)
 
 TEST(DeferredPlan, OtherPathsHaveNone)
 {
-    const ShadingPlan plan = makePlan(fiveSurfaces(), settings("standard"));
-    EXPECT_TRUE(plan.lightingClasses.empty());
-    EXPECT_EQ(plan.path, RenderPath::prepass);
-    EXPECT_EQ(explain(plan).find("drawn forward over"), std::string::npos);
+    Settings s = settings("standard");
+    for (const RenderPath path : {RenderPath::forward, RenderPath::prepass, RenderPath::attributes}) {
+        s.path = path;
+        const ShadingPlan plan = makePlan(fiveSurfaces(), s);
+        EXPECT_TRUE(plan.lightingClasses.empty());
+        EXPECT_EQ(plan.path, path);
+        EXPECT_EQ(explain(plan).find("drawn forward over"), std::string::npos);
+    }
 }
 
 } // namespace

@@ -36,12 +36,12 @@ TEST(PathPlan, ShadesOnlyWhatIsSeen)
     EXPECT_NE(explain(plan).find("surfaces: path prepass ("), std::string::npos);
 }
 
-TEST(PathPlan, LeavesAttributesWhereTrianglesAreSmallerThanPixels)
+TEST(PathPlan, LeavesAttributesWhereTrianglesAreManyForThePicture)
 {
     Scene scene = litScene();
-    scene.instances.assign(1024, Instance{}); // of one triangle each: 0.25 a pixel
+    scene.instances.assign(64, Instance{}); // of one triangle each: 1/64 a pixel
     EXPECT_EQ(makePlan(scene, sized(64)).path, RenderPath::attributes);
-    scene.instances.resize(1023);
+    scene.instances.resize(63);
     EXPECT_EQ(makePlan(scene, sized(64)).path, RenderPath::prepass);
 }
 
