@@ -96,7 +96,7 @@ vec3 readGeometricNormal(vec3 view)
 // glTF 2.0, 3.9.4: the back of a double-sided surface has its normal reversed before lighting.
 float seenSide()
 {
-#ifdef DOUBLE_SIDED
+#ifdef SIDES
     return gl_FrontFacing ? 1.0 : -1.0;
 #else
     return 1.0;

@@ -1,7 +1,5 @@
-// Adds one of N pictures, weighted, to their sum.
+// One of N pictures; the blending weighs it and adds it to their sum, so that the shader is the same for every N.
 #include "shared/bindings.h"
-
-layout(constant_id = 0) const float kWeight = 1.0;
 
 layout(set = 0, binding = kBindSource) uniform sampler2D source;
 
@@ -9,5 +7,5 @@ layout(location = 0) out vec4 outColor;
 
 void main()
 {
-    outColor = kWeight * texelFetch(source, ivec2(gl_FragCoord.xy), 0);
+    outColor = texelFetch(source, ivec2(gl_FragCoord.xy), 0);
 }

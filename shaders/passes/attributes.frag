@@ -9,6 +9,10 @@ layout(location = 0) out uvec4 outNormal;
 layout(location = 1) out uvec4 outUv;
 #endif
 
+#ifdef ATTRIBUTE_UV
+layout(set = 0, binding = kBindLevel) uniform sampler2D levelTexture;
+#endif
+
 // The interpolated normal, of any length but zero.
 vec3 attributeNormal()
 {
@@ -34,7 +38,7 @@ void main()
     vec2 tangent = vec2(0.0);
 #ifdef ATTRIBUTE_UV
     uv = ATTRIBUTE_UV;
-    bits.level = textureQueryLod(LEVEL_TEXTURE, uv).y; // the device's own: its logarithm may be an approximate one
+    bits.level = textureQueryLod(levelTexture, uv).y; // the device's own: its logarithm may be an approximate one
 #endif
 #ifdef TANGENTS
     tangent = octahedral(inTangent.xyz);

@@ -77,7 +77,11 @@ void main()
     outTangent = vec4(inLinear * inTangent.xyz, inTangent.w * inNormalZHandedness.w);
 #endif
 #ifdef UV0
+#ifdef ONE_PLACE
+    outUv0 = transformUv(material.placeUv, inUv0);
+#else
     outUv0 = inUv0;
+#endif
 #endif
 #ifdef UV1
     outUv1 = inUv1;

@@ -22,6 +22,7 @@ struct Material
     float occlusionStrength;
     float alphaCutoff;
     float ior; // of the dielectric part
+    UvTransform placeUv; // of all textures, where they are read at one place; else each has its own
     UvTransform baseColorUv;
     UvTransform materialUv; // of the texture of scalars
     UvTransform normalUv;

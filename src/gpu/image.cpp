@@ -3,6 +3,7 @@
 #include "core/error.h"
 #include "core/huge_pages.h"
 
+#include <bit>
 #include <cassert>
 #include <vector>
 
@@ -22,6 +23,19 @@ void preferHugePagesOnHost(const Device& device, const vk::raii::DeviceMemory& m
         return;
     preferHugePages(memory.mapMemory(0, VK_WHOLE_SIZE), size);
     memory.unmapMemory();
+}
+
+// A software driver compiles a shader anew for pictures whose sides are powers of two, and the same for all others:
+// what is drawn to and sampled later always is of the others.
+std::uint32_t sideInMemory(std::uint32_t side, bool sampledTarget)
+{
+    return sampledTarget && std::has_single_bit(side) ? side + 1 : side;
+}
+
+bool isSampledTarget(vk::ImageUsageFlags usage)
+{
+    using Usage = vk::ImageUsageFlagBits;
+    return (usage & Usage::eSampled) && (usage & (Usage::eColorAttachment | Usage::eDepthStencilAttachment));
 }
 
 } // namespace
@@ -51,12 +65,12 @@ DeviceImage makeImage(const Device& device, const ImageShape& shape, vk::ImageUs
         throw usageError(std::to_string(shape.width) + "x" + std::to_string(shape.height) + " is more than " +
                              device.description.name + " can hold (" + std::to_string(limit) + " a side)",
                          "choose a smaller size");
-    const bool inRows = tiling == ImageTiling::rows;
+    const bool inRows = tiling == ImageTiling::rows, target = isSampledTarget(usage) && !shape.cube;
     const vk::ImageCreateInfo info = {
         .flags = shape.cube ? vk::ImageCreateFlagBits::eCubeCompatible : vk::ImageCreateFlags{},
         .imageType = vk::ImageType::e2D,
         .format = shape.format,
-        .extent = {shape.width, shape.height, 1},
+        .extent = {sideInMemory(shape.width, target), sideInMemory(shape.height, target), 1},
         .mipLevels = shape.mips,
         .arrayLayers = shape.layers,
         .samples = vk::SampleCountFlagBits::e1,

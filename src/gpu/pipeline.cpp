@@ -61,12 +61,13 @@ vk::PipelineDepthStencilStateCreateInfo depthState(DepthUse use, StencilUse sten
 vk::PipelineColorBlendAttachmentState blendState(Blend blend)
 {
     using Factor = vk::BlendFactor;
+    const Factor source = blend == Blend::weighted ? Factor::eConstantColor : Factor::eOne;
     const Factor target = blend == Blend::premultiplied ? Factor::eOneMinusSrcAlpha : Factor::eOne;
     return {.blendEnable = blend != Blend::replace,
-            .srcColorBlendFactor = Factor::eOne,
+            .srcColorBlendFactor = source,
             .dstColorBlendFactor = target,
             .colorBlendOp = vk::BlendOp::eAdd,
-            .srcAlphaBlendFactor = Factor::eOne,
+            .srcAlphaBlendFactor = source,
             .dstAlphaBlendFactor = target,
             .alphaBlendOp = vk::BlendOp::eAdd,
             .colorWriteMask = vk::ColorComponentFlagBits::eR | vk::ColorComponentFlagBits::eG |
@@ -139,6 +140,8 @@ vk::raii::Pipeline makeHandle(const Device& device, const CompiledShader& vertex
                             vk::DynamicState::eFrontFace};
     if (description.stencil != StencilUse::none)
         dynamics.push_back(vk::DynamicState::eStencilReference);
+    if (description.blend == Blend::weighted)
+        dynamics.push_back(vk::DynamicState::eBlendConstants);
     const vk::PipelineDynamicStateCreateInfo dynamic = {
         .dynamicStateCount = static_cast<std::uint32_t>(dynamics.size()), .pDynamicStates = dynamics.data()};
     const vk::PipelineRenderingCreateInfo rendering = {

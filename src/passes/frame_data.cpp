@@ -160,6 +160,7 @@ std::vector<shared::Material> makeMaterials(const ShadingPlan& plan, std::span<c
     std::vector<shared::Material> materials;
     for (const MaterialBlock& block : plan.blocks) {
         const Material& m = plan.materials[static_cast<std::size_t>(block.material)].material;
+        const TextureUse* place = sharedPlace(m, block.textures);
         shared::Material result = {.baseColorFactor = vec4(m.baseColorFactor),
                                    .emissiveFactor = vec3(m.emissiveFactor),
                                    .metallicFactor = static_cast<float>(m.metallicFactor),
@@ -168,6 +169,7 @@ std::vector<shared::Material> makeMaterials(const ShadingPlan& plan, std::span<c
                                    .occlusionStrength = static_cast<float>(m.occlusionStrength),
                                    .alphaCutoff = static_cast<float>(m.alphaCutoff),
                                    .ior = static_cast<float>(m.ior),
+                                   .placeUv = uvTransform(place ? *place : TextureUse{}),
                                    .baseColorUv = uvTransform(m.baseColor),
                                    .materialUv = uvTransform(m.metallicRoughness),
                                    .normalUv = uvTransform(m.normal),

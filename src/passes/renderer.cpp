@@ -16,7 +16,6 @@
 
 #include <algorithm>
 #include <array>
-#include <bit>
 
 namespace torrance {
 namespace {
@@ -310,8 +309,7 @@ void Renderer::accumulate(const gpu::DeviceImage& sum, int index, int count)
         imagePipeline("passes/accumulate.frag", "",
                       {.name = "accumulate",
                        .colorFormats = {kColorFormat},
-                       .blend = gpu::Blend::add,
-                       .constants = {std::bit_cast<std::uint32_t>(1.0f / static_cast<float>(count))}});
+                       .blend = gpu::Blend::weighted});
     gpu::Bindings bindings;
     bindings.set(shared::kBindSource, targets.color, tableSampler);
     gpu::Commands commands(device);
@@ -320,6 +318,8 @@ void Renderer::accumulate(const gpu::DeviceImage& sum, int index, int count)
     beginRendering(commands, sums, nullptr, index == 0 ? kClearToNothing : kKeep, LoadTarget::clear);
     commands.buffer.bindPipeline(vk::PipelineBindPoint::eGraphics, *pipeline.handle);
     bindings.push(commands.buffer, pipeline);
+    const float weight = 1.0f / static_cast<float>(count);
+    commands.buffer.setBlendConstants(std::array{weight, weight, weight, weight}.data());
     commands.buffer.draw(3, 1, 0, 0);
     commands.buffer.endRendering();
     commands.submitAndWait();

@@ -163,13 +163,14 @@ gpu::PipelineDescription describePipeline(const ShadingPlan& plan, const ShaderK
 }
 
 void bindStreams(gpu::Commands& commands, const ShaderKey& key, SurfaceOutput output, const FrameInputs& frame,
-                 const PrimitiveRange& range)
+                 const Draw& draw, const PrimitiveRange& range)
 {
     std::vector<vk::Buffer> buffers;
     std::vector<vk::DeviceSize> offsets;
     for (const VertexAttribute attribute : attributesOf(key, output)) {
         buffers.push_back(*frame.scene.meshes.vertices.handle);
-        offsets.push_back(range.streams[static_cast<std::size_t>(attribute)]);
+        const bool second = attribute == VertexAttribute::uv0 && draw.uvSet == 1;
+        offsets.push_back(range.streams[static_cast<std::size_t>(second ? VertexAttribute::uv1 : attribute)]);
     }
     for (const InstanceStream& stream : instanceStreamsOf(key, output)) {
         buffers.push_back(*frame.instances.handle);
@@ -191,7 +192,7 @@ void drawOnce(gpu::Commands& commands, const Batch& batch, SurfaceOutput output,
     const PrimitiveRange& range = frame.scene.meshes.ranges[static_cast<std::size_t>(draw.primitive)];
     commands.buffer.setCullMode(cull);
     commands.buffer.setFrontFace(draw.mirrored ? vk::FrontFace::eClockwise : vk::FrontFace::eCounterClockwise);
-    bindStreams(commands, batch.key, output, frame, range);
+    bindStreams(commands, batch.key, output, frame, draw, range);
     commands.buffer.drawIndexed(range.indexCount, count, range.firstIndex, 0, first);
 }
 
@@ -267,6 +268,10 @@ void drawBatch(gpu::Commands& commands, const gpu::Pipeline& pipeline, const Bat
 {
     gpu::Bindings bindings = frame.bindings;
     bindTextures(bindings, batch.textures, frame.scene.textures);
+    if (const auto role = levelRole(frame.scene.plan, batch.textures); role && output == SurfaceOutput::attributes) {
+        const int texture = batch.textures[static_cast<std::size_t>(*role)];
+        bindings.set(shared::kBindLevel, frame.scene.textures.image(texture), frame.scene.textures.sampler(texture));
+    }
     commands.buffer.bindPipeline(vk::PipelineBindPoint::eGraphics, *pipeline.handle);
     commands.buffer.bindIndexBuffer(*frame.scene.meshes.indices.handle, 0, vk::IndexType::eUint32);
     int bound = -1; // the block of a material

@@ -12,20 +12,18 @@ constexpr std::size_t kMaxClasses = 255; // numbers of a stencil buffer but for 
 // One place and one level of detail for all textures of a batch's material.
 bool sampledAlike(const ShadingPlan& plan, const Material& material, const TextureSet& textures)
 {
-    const TextureUse* first = nullptr;
-    const PlannedTexture* firstTexture = nullptr;
-    for (std::size_t role = 0; role < kTextureRoles; ++role) {
-        if (textures[role] < 0)
+    if (std::ranges::all_of(textures, [](int texture) { return texture < 0; }))
+        return true;
+    if (!sharedPlace(material, textures))
+        return false;
+    const PlannedTexture* first = nullptr;
+    for (const int texture : textures) {
+        if (texture < 0)
             continue;
-        const TextureUse& use = useOf(material, static_cast<TextureRole>(role));
-        const PlannedTexture& own = plan.textures[static_cast<std::size_t>(textures[role])];
-        if (!first) {
-            first = &use;
-            firstTexture = &own;
-        }
-        if (use.uvSet != first->uvSet || use.transform != first->transform ||
-            own.width * firstTexture->height != own.height * firstTexture->width)
+        const PlannedTexture& own = plan.textures[static_cast<std::size_t>(texture)];
+        if (first && own.width * first->height != own.height * first->width)
             return false;
+        first = &own;
     }
     return true;
 }

@@ -125,6 +125,15 @@ bool isMesh(SurfaceKind kind)
     return kind != SurfaceKind::sphere && kind != SurfaceKind::plane;
 }
 
+// Of a triangle the shaders always ask which side is seen: the answer costs less than a percent, and surfaces of one
+// side and of two share their shaders.
+ShaderKey textKey(const ShaderKey& key)
+{
+    ShaderKey rest = key;
+    rest.doubleSided &= !isMesh(key.surface);
+    return rest;
+}
+
 bool viewsTable(const ShadingPlan& plan)
 {
     return plan.settings.view && plan.settings.view->subject == ViewSubject::table;
@@ -134,7 +143,7 @@ bool viewsTable(const ShadingPlan& plan)
 
 std::string selectedText(const ShadingPlan& plan, const ShaderKey& key)
 {
-    std::string text = "// " + key.name() + "\n";
+    std::string text = "// " + textKey(key).name() + "\n";
     const bool lit = !key.unlit && key.normals;
     define(text, surfaceMacro(key.surface), true);
     define(text, "NORMALS", key.normals && isMesh(key.surface));
@@ -145,7 +154,9 @@ std::string selectedText(const ShadingPlan& plan, const ShaderKey& key)
     define(text, "COLORS", key.colors);
     define(text, "ALPHA_MASK", key.alphaMode == AlphaMode::mask);
     define(text, "ALPHA_BLEND", key.alphaMode == AlphaMode::blend);
-    define(text, "DOUBLE_SIDED", key.doubleSided);
+    define(text, "ONE_PLACE", key.onePlace);
+    define(text, "SIDES", key.surface == SurfaceKind::triangles);
+    define(text, "DOUBLE_SIDED", textKey(key).doubleSided);
     define(text, "UNLIT", key.unlit);
     define(text, "LIT", lit);
     define(text, "PUNCTUAL_LIGHTS", lit && !plan.lights.empty());
@@ -180,7 +191,7 @@ std::string selectedText(const ShadingPlan& plan, const ShaderKey& key)
 std::string attributesText(const ShadingPlan& plan, const Batch& batch)
 {
     const ShaderKey& key = batch.key;
-    std::string text = "// attributes of " + key.name() + "\n";
+    std::string text = "// attributes of " + textKey(key).name() + "\n";
     define(text, surfaceMacro(key.surface), true);
     define(text, "NORMALS", key.normals);
     define(text, "VANISHING_NORMALS", key.vanishingNormals);
@@ -188,16 +199,12 @@ std::string attributesText(const ShadingPlan& plan, const Batch& batch)
     define(text, "UV0", key.usesUv(0));
     define(text, "UV1", key.usesUv(1));
     define(text, "ALPHA_MASK", key.alphaMode == AlphaMode::mask);
-    define(text, "DOUBLE_SIDED", key.doubleSided);
+    define(text, "ONE_PLACE", key.onePlace);
+    define(text, "SIDES", true);
     defineUvs(text, key);
     define(text, "ATTRIBUTES_HAVE_UV", attributePictures(plan) == 2);
-    constexpr const char* kSamplers[] = {"baseColorTexture", "scalarsTexture", "normalTexture", "occlusionTexture",
-                                         "emissiveTexture"}; // shaders/material/texels.glsl
-    if (const auto role = levelRole(plan, batch.textures)) {
-        const auto index = static_cast<std::size_t>(*role);
-        text.append("#define ATTRIBUTE_UV ").append(kUvNames[index].macro);
-        text.append("\n#define LEVEL_TEXTURE ").append(kSamplers[index]).append("\n");
-    }
+    if (const auto role = levelRole(plan, batch.textures))
+        text.append("#define ATTRIBUTE_UV ").append(kUvNames[static_cast<std::size_t>(*role)].macro).append("\n");
     return text;
 }
 

@@ -53,7 +53,9 @@ std::string ShaderKey::name() const
     std::string text = surfaceName(surface);
     const auto texture = [&](const TextureKey& key, const char* label) {
         if (key.used)
-            text.append(" ").append(label).append(std::to_string(key.uvSet)).append(key.transformed ? "t" : "");
+            text.append(" ").append(label);
+        if (key.used && !onePlace)
+            text.append(std::to_string(key.uvSet)).append(key.transformed ? "t" : "");
     };
     const auto flag = [&](bool set, const char* label) {
         if (set)

@@ -46,6 +46,9 @@ struct ShaderKey
     bool vanishingNormals = false; // interpolated, they may be zero somewhere
     bool colors = false;
     TextureKey baseColor = {}, material = {}, normal = {}, occlusion = {}, emissive = {}; // TextureRole
+    /// All of them are sampled at one place, which the vertex shader computes: of what set and by which transform is no
+    /// matter of the shaders, and the textures' keys say nothing of it.
+    bool onePlace = false;
     ScalarPlace roughness = ScalarPlace::constant, metallic = ScalarPlace::constant,
                 ambient = ScalarPlace::constant; // ambient: occlusion
     AlphaMode alphaMode = AlphaMode::opaque;
@@ -56,7 +59,8 @@ struct ShaderKey
     auto operator<=>(const ShaderKey&) const = default;
     bool usesUv(int set) const;
     bool tangents() const { return normal.used; } // a normal map stands on tangents
-    /// A short name, different for different keys: "triangles baseColor0 normal0 mask".
+    /// A short name, different for different keys: "triangles baseColor normal mask"; "baseColor1t" where textures are
+    /// sampled at places of their own, this at a transformed one of set 1.
     std::string name() const;
 };
 

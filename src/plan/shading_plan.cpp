@@ -136,6 +136,11 @@ std::pair<ShaderKey, TextureSet> Planner::keyOf(const PlannedMaterial& planned, 
     const RoleTextures textures = planTextures(scene, m, needs, key);
     TextureSet set;
     std::ranges::transform(textures, set.begin(), [&](const auto& t) { return t ? textureIndex(*t) : -1; });
+    if (sharedPlace(m, set)) {
+        key.onePlace = true;
+        for (TextureKey* texture : {&key.baseColor, &key.material, &key.normal, &key.occlusion, &key.emissive})
+            *texture = {.used = texture->used};
+    }
     return {key, set};
 }
 
@@ -212,6 +217,8 @@ void Planner::addPrimitives()
         key.vanishingNormals =
             key.surface == SurfaceKind::triangles && key.normals && (singular || normalsMayVanish(primitive));
         draw.starBody = key.doubleSided && !singular && isStarBody(primitive);
+        if (const TextureUse* place = sharedPlace(plan.materials[material].material, textures))
+            draw.uvSet = place->uvSet;
         add(key, textures, draw);
     }
 }

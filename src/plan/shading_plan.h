@@ -16,9 +16,6 @@
 
 namespace torrance {
 
-/// ShadingPlan::textures by TextureRole; -1 = none.
-using TextureSet = std::array<int, kTextureRoles>;
-
 /// Neighbouring instances of one primitive, or one analytic shape.
 struct Draw
 {
@@ -28,6 +25,7 @@ struct Draw
     int instanceCount = 1;
     bool mirrored = false; // the transforms turn the winding round
     int block = 0;         // ShadingPlan::blocks
+    int uvSet = 0;         // of a key whose textures are read at one place: the coordinates that place is made from
     bool starBody = false; // its back is never seen from outside of it
     Box bounds;            // of all instances, world
 };

@@ -205,6 +205,20 @@ const TextureUse& useOf(const Material& m, TextureRole role)
     return m.emissive;
 }
 
+const TextureUse* sharedPlace(const Material& material, const TextureSet& textures)
+{
+    const TextureUse* place = nullptr;
+    for (std::size_t role = 0; role < kTextureRoles; ++role) {
+        if (textures[role] < 0)
+            continue;
+        const TextureUse& use = useOf(material, static_cast<TextureRole>(role));
+        if (place && (use.uvSet != place->uvSet || use.transform != place->transform))
+            return nullptr;
+        place = &use;
+    }
+    return place;
+}
+
 RoleTextures planTextures(const Scene& scene, const Material& material, const TextureNeeds& needs, ShaderKey& key)
 {
     RoleTextures textures = Packer(scene, material, needs, key).run();

@@ -42,8 +42,15 @@ enum class TextureRole
 };
 inline constexpr std::size_t kTextureRoles = 5;
 
+/// ShadingPlan::textures by TextureRole; -1 = none.
+using TextureSet = std::array<int, kTextureRoles>;
+
 /// Where and how a material reads the texture of a role; scalars that lie in another's alpha are read where that is.
 const TextureUse& useOf(const Material& material, TextureRole role);
+
+/// Where all textures of the set are read: the use of one of them. Null where they are read at several places, or there
+/// are none.
+const TextureUse* sharedPlace(const Material& material, const TextureSet& textures);
 
 /// By role; nothing where a shader reads none.
 using RoleTextures = std::array<std::optional<PlannedTexture>, kTextureRoles>;

@@ -46,6 +46,31 @@ TEST(SurfacePlan, ATextureWithoutCoordinatesIsLeftOut)
     EXPECT_TRUE(makePlan(scene, settings()).batches[0].key.baseColor.used);
 }
 
+TEST(SurfacePlan, TexturesReadAtOnePlaceHaveTheSameShadersWhereverItIs)
+{
+    Scene scene = sceneWith({});
+    Material& m = scene.materials[0];
+    m.baseColor = test::addTexture(scene, {1, 2, 3, 4}, {5, 6, 7, 8});
+    m.normal = test::addTexture(scene, {10, 20, 255, 0}, {127, 128, 200, 0});
+    scene.primitives[0].uvs[1] = scene.primitives[0].uvs[0];
+    const auto textOf = [](const ShadingPlan& plan) { return selectedText(plan, plan.batches[0].key); };
+    const ShadingPlan first = makePlan(scene, settings());
+    EXPECT_TRUE(first.batches[0].key.onePlace);
+    EXPECT_EQ(first.batches[0].draws[0].uvSet, 0);
+    for (TextureUse* use : {&m.baseColor, &m.normal}) {
+        use->uvSet = 1;
+        use->transform[0][0] = 2.0;
+    }
+    m.doubleSided = true;
+    const ShadingPlan second = makePlan(scene, settings());
+    EXPECT_EQ(textOf(first), textOf(second));
+    EXPECT_EQ(second.batches[0].draws[0].uvSet, 1);
+    m.normal.uvSet = 0; // a place of its own
+    const ShadingPlan apart = makePlan(scene, settings());
+    EXPECT_FALSE(apart.batches[0].key.onePlace);
+    EXPECT_NE(textOf(first), textOf(apart));
+}
+
 TEST(SurfacePlan, PointsWithoutNormalsAreUnlit)
 {
     Scene scene = sceneWith({});
