@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# From a clone to a picture: installs what is missing, builds, renders the demo scene to demo.png.
+# From a clone to a picture: installs what is missing, builds, fills the caches, renders the demo scene to demo.png.
 set -euo pipefail
 cd "$(dirname "$0")/.."
 
@@ -14,11 +14,13 @@ phase() { # phase NAME COMMAND...: runs the command and notes how long it took
 
 configure() { cmake --preset release; }
 build() { cmake --build --preset release; }
+warm() { build/release/bin/torrance warm; }
 render() { build/release/bin/torrance render demo --resolution 1280x960 --samples 16 --output demo.png; }
 
 phase packages tools/packages.sh
 phase configure configure
 phase build build
+phase warm warm
 phase render render
 
 echo

@@ -27,6 +27,8 @@ Commands::Commands(const Device& d) : device(d), pool(makePool(d)), buffer(alloc
     d.name(pool, "frame commands");
     d.name(buffer, "frame commands");
     buffer.begin({.flags = vk::CommandBufferUsageFlagBits::eOneTimeSubmit});
+    if (device.hooks.begun)
+        device.hooks.begun(buffer);
 }
 
 void Commands::use(std::span<const ImageUse> images, std::span<const BufferUse> buffers)
@@ -41,6 +43,8 @@ void Commands::use(std::span<const ImageUse> images, std::span<const BufferUse> 
 
 void Commands::submitAndWait()
 {
+    if (device.hooks.ending)
+        device.hooks.ending(buffer);
     buffer.end();
     const vk::raii::Fence fence(device.handle, vk::FenceCreateInfo{});
     device.name(fence, "frame fence");

@@ -4,6 +4,7 @@
 #include "gpu/precision.h"
 #include "gpu/vulkan.h"
 
+#include <functional>
 #include <memory>
 #include <mutex>
 #include <string>
@@ -45,6 +46,12 @@ struct ValidationLog
     std::vector<std::string> messages;
 };
 
+/// Called with every command buffer when its recording has begun and before it ends: tests count the device's work so.
+struct CommandHooks
+{
+    std::function<void(const vk::raii::CommandBuffer&)> begun, ending;
+};
+
 class Device
 {
 public:
@@ -76,6 +83,7 @@ public:
     vk::PhysicalDeviceMemoryProperties memory;
     vk::PhysicalDeviceLimits limits;
     DeviceDescription description;
+    CommandHooks hooks;
 
 private:
     void nameObject(vk::ObjectType type, std::uint64_t object, std::string_view text) const;

@@ -135,7 +135,9 @@ vk::raii::Device makeDevice(const vk::raii::PhysicalDevice& physical, std::uint3
         .queueFamilyIndex = queueFamily, .queueCount = 1, .pQueuePriorities = &priority};
     const bool half = supports(physical, Precision::fp16);
     const FeatureChain features = {
-        vk::PhysicalDeviceFeatures2{.features = {.shaderFloat64 = supports(physical, Precision::fp64)}},
+        vk::PhysicalDeviceFeatures2{
+            .features = {.occlusionQueryPrecise = physical.getFeatures().occlusionQueryPrecise, // tests count by it
+                         .shaderFloat64 = supports(physical, Precision::fp64)}},
         vk::PhysicalDeviceVulkan11Features{.storageBuffer16BitAccess = half},
         vk::PhysicalDeviceVulkan12Features{.shaderFloat16 = half, .scalarBlockLayout = true},
         vk::PhysicalDeviceVulkan13Features{.synchronization2 = true, .dynamicRendering = true},

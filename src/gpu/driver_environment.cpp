@@ -35,8 +35,16 @@ void prepareDriverEnvironment(const std::filesystem::path& cacheFolder)
     const std::filesystem::path folder = cacheFolder / ("mesa-" + processorType());
     std::error_code failure;
     std::filesystem::create_directories(folder, failure); // Mesa makes no parents
-    if (!failure)
+    if (failure) // Mesa would say so in words of its own, and one warning is enough
+        setenv("MESA_SHADER_CACHE_DISABLE", "true", kKeepTheUsers);
+    else
         setenv("MESA_SHADER_CACHE_DIR", folder.c_str(), kKeepTheUsers);
+}
+
+std::filesystem::path driverCacheFolder()
+{
+    const char* folder = std::getenv("MESA_SHADER_CACHE_DIR");
+    return folder ? std::filesystem::path(folder) / "mesa_shader_cache" : std::filesystem::path();
 }
 
 } // namespace torrance::gpu

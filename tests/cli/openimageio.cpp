@@ -41,6 +41,15 @@ TEST_F(OpenImageIo, IsNotLoadedForTheUsualFormats)
     }
 }
 
+TEST_F(OpenImageIo, IsNotLoadedToDrawAModel)
+{
+    const Outcome outcome =
+        runTorrance({"render", "demo", "-r", "16x16", "-o", folder.file("a.png")}, {"LD_DEBUG=files"});
+    EXPECT_EQ(outcome.exitCode, 0);
+    EXPECT_NE(outcome.errors.find("calling init"), std::string::npos) << "the loader does not say what it loads";
+    EXPECT_EQ(outcome.errors.find("libOpenImageIO"), std::string::npos);
+}
+
 TEST_F(OpenImageIo, ReadsOtherFormatsWhereItWasBuilt)
 {
     const std::string path = ppm();

@@ -1,0 +1,10 @@
+// torrance warm
+#pragma once
+
+#include "app/command.h"
+
+namespace torrance {
+
+Command warmCommand();
+
+} // namespace torrance
