@@ -40,7 +40,7 @@ enum class Blend
 {
     replace,
     premultiplied, // source + (1 - source alpha) * target
-    weighted, // source * constant + target; the constant is dynamic state
+    weighted,      // source * constant + target; the constant is dynamic state
 };
 
 struct PipelineDescription

@@ -307,9 +307,7 @@ void Renderer::accumulate(const gpu::DeviceImage& sum, int index, int count)
 {
     const gpu::Pipeline& pipeline =
         imagePipeline("passes/accumulate.frag", "",
-                      {.name = "accumulate",
-                       .colorFormats = {kColorFormat},
-                       .blend = gpu::Blend::weighted});
+                      {.name = "accumulate", .colorFormats = {kColorFormat}, .blend = gpu::Blend::weighted});
     gpu::Bindings bindings;
     bindings.set(shared::kBindSource, targets.color, tableSampler);
     gpu::Commands commands(device);
