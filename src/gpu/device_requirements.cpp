@@ -128,6 +128,14 @@ bool supports(const vk::raii::PhysicalDevice& physical, Precision precision)
     }
 }
 
+bool samplesDepth(const vk::raii::PhysicalDevice& physical)
+{
+    constexpr auto kFour = vk::SampleCountFlagBits::e4;
+    const vk::PhysicalDeviceLimits limits = physical.getProperties().limits;
+    return limits.standardSampleLocations && (limits.framebufferDepthSampleCounts & kFour) &&
+           (limits.sampledImageDepthSampleCounts & kFour) && physical.getFeatures().sampleRateShading;
+}
+
 vk::raii::Device makeDevice(const vk::raii::PhysicalDevice& physical, std::uint32_t queueFamily)
 {
     const float priority = 1.0f;
@@ -135,7 +143,8 @@ vk::raii::Device makeDevice(const vk::raii::PhysicalDevice& physical, std::uint3
         .queueFamilyIndex = queueFamily, .queueCount = 1, .pQueuePriorities = &priority};
     const bool half = supports(physical, Precision::fp16);
     const FeatureChain features = {
-        vk::PhysicalDeviceFeatures2{.features = {.shaderFloat64 = supports(physical, Precision::fp64)}},
+        vk::PhysicalDeviceFeatures2{.features = {.sampleRateShading = samplesDepth(physical),
+                                                 .shaderFloat64 = supports(physical, Precision::fp64)}},
         vk::PhysicalDeviceVulkan11Features{.storageBuffer16BitAccess = half},
         vk::PhysicalDeviceVulkan12Features{.shaderFloat16 = half, .scalarBlockLayout = true},
         vk::PhysicalDeviceVulkan13Features{.synchronization2 = true, .dynamicRendering = true},

@@ -59,7 +59,7 @@ DeviceImage makeImage(const Device& device, const ImageShape& shape, vk::ImageUs
         .extent = {shape.width, shape.height, 1},
         .mipLevels = shape.mips,
         .arrayLayers = shape.layers,
-        .samples = vk::SampleCountFlagBits::e1,
+        .samples = shape.samples,
         .tiling = inRows ? vk::ImageTiling::eLinear : vk::ImageTiling::eOptimal,
         .usage = usage,
         .initialLayout = inRows ? vk::ImageLayout::ePreinitialized : vk::ImageLayout::eUndefined};
