@@ -48,7 +48,8 @@ CertifiedPicture describePicture(const RenderOptions& options, const std::string
     CertifiedPicture picture;
     picture.file = file.filename().string();
     picture.sceneHash = sceneHashOf(scene, camera);
-    picture.arguments = recordedArguments(options, input, file.parent_path().empty() ? "." : file.parent_path().string());
+    picture.arguments =
+        recordedArguments(options, input, file.parent_path().empty() ? "." : file.parent_path().string());
     picture.planText = explain(plan);
     picture.planHash = hashText(picture.planText).hex();
     picture.path = nameOf(plan.path);

@@ -43,6 +43,8 @@ std::optional<CertificateRequest> chosenCertificate(const CertifyOption& option)
     if (!option.given || option.given->count() == 0)
         return std::nullopt;
     CertificateRequest request;
+    if (option.text.ends_with(','))
+        throw usageError("--certify " + option.text + ": ends in a comma", kUsage);
     std::istringstream parts(option.text);
     for (std::string part; std::getline(parts, part, ',');) {
         if (part == "transport")

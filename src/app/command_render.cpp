@@ -53,7 +53,8 @@ private:
     Session(const Options& o, const GlobalOptions& global, const std::string& firstInput, Settings s,
             std::future<gpu::Device> opening)
         : options(o), resultOnStandardOutput(o.output.pattern == "-" || global.json == "-"), settings(std::move(s)),
-          certify(chosenCertificate(o.certify)), environment(
+          certify(chosenCertificate(o.certify)),
+          environment(
               phases.time("environment", [&] { return loadChosenEnvironment(o.environment, settings.methods); })),
           first(load(firstInput)),
           device(phases.time("device", [&] { return finishOpeningDevice(std::move(opening)); })),
@@ -75,15 +76,28 @@ struct Certified
     CertifiedPicture picture;
 };
 
-Certified certifyDrawn(Session& session, const std::string& input, const std::string& output, const Scene& scene,
+/// What the scene's file asks for and the renderer leaves out; what happens to a picture after the comparison.
+void addUnvouched(const SceneFacts& facts, const std::string& output, std::vector<std::string>& effects)
+{
+    for (const ExtensionFact& extension : facts.extensions)
+        if (!extension.supported)
+            effects.push_back("surface: " + oneLine(extension.name) + ", which is left out");
+    if (facts.animations.count() > 0)
+        effects.emplace_back("surface: animations, which are not played");
+    if (!isSceneLinear(imageFormatOf(output)))
+        effects.emplace_back("display: tone curve and encoding, which come after the comparison");
+}
+
+Certified certifyDrawn(Session& session, const std::string& input, const std::string& output, const LoadedScene& loaded,
                        const Camera& camera, const ShadingPlan& plan, const Image& drawn)
 {
     Certified certified;
-    certified.certificate = certify(scene, camera, session.settings, drawn, *session.certify);
+    certified.certificate = certify(loaded.scene, camera, session.settings, drawn, *session.certify);
     if (certified.certificate.covered == 0)
         throw usageError("--certify: no surface is seen in the picture of " + input + ", and nothing can be compared",
                          "move the camera, or leave out --certify");
-    certified.picture = describePicture(session.options, input, output, scene, camera, plan);
+    addUnvouched(loaded.facts, output, certified.certificate.unvouched);
+    certified.picture = describePicture(session.options, input, output, loaded.scene, camera, plan);
     certified.picture.device = session.device.description.name;
     certified.picture.driver = session.device.description.driverVersion;
     return certified;
@@ -132,7 +146,7 @@ Json draw(Session& session, const std::string& input, const std::string& output)
     std::optional<Certified> certified;
     if (session.certify)
         certified = phases.time(
-            "certify", [&] { return certifyDrawn(session, input, output, scene, camera, plan, picture.color); });
+            "certify", [&] { return certifyDrawn(session, input, output, loaded, camera, plan, picture.color); });
     WriteSettings write = writeSettings(session.options.output, session.settings.methods);
     ViewScale viewScale;
     if (const View* view = session.settings.view) {
@@ -146,8 +160,7 @@ Json draw(Session& session, const std::string& input, const std::string& output)
         certified->picture.hash = pixelHash(picture.color).hex();
         write.attributes[kCertificateAttribute] = jsonText(certifiedJson(*certified, session, output));
     }
-    auto files =
-        phases.time("write", [&] { return writeWithLayers(output, picture, session.options.layers, write); });
+    auto files = phases.time("write", [&] { return writeWithLayers(output, picture, session.options.layers, write); });
     if (certified)
         files.push_back(writeCertificate(*certified, session, output));
     Json::Array written(files.begin(), files.end());

@@ -119,7 +119,8 @@ Recorded loadRecorded(const Options& o, const ReadCertificate& read, const std::
     r.input = sceneInputs(r.options.scene).front();
     r.settings = renderSettings(r.options);
     if (r.settings.width != read.width || r.settings.height != read.height)
-        throw inputError(file, "/image", "has another size than its scene's arguments say", "certify the picture again");
+        throw inputError(file, "/image", "has another size than its scene's arguments say",
+                         "certify the picture again");
     r.loaded = loadLitScene(r.options.scene, r.options.light, r.settings.methods,
                             loadChosenEnvironment(r.options.environment, r.settings.methods), r.input);
     r.camera = chooseCamera(cameraOptionsFor(r.options.camera, r.input), r.loaded.scene,

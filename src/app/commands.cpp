@@ -16,9 +16,8 @@ namespace torrance {
 
 std::vector<Command> allCommands()
 {
-    return {renderCommand(), referenceCommand(), inspectCommand(), compareCommand(),   methodsCommand(),
-            probeCommand(),  benchCommand(),     conformCommand(), stabilityCommand(), verifyCommand(),
-            devicesCommand()};
+    return {renderCommand(), referenceCommand(), inspectCommand(),   compareCommand(), methodsCommand(), probeCommand(),
+            benchCommand(),  conformCommand(),   stabilityCommand(), verifyCommand(),  devicesCommand()};
 }
 
 } // namespace torrance

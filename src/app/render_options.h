@@ -36,8 +36,8 @@ void declareRenderOptions(CLI::App& app, RenderOptions& options);
 /// Error (usage) as of frameSettings and chooseView.
 Settings renderSettings(const RenderOptions& options);
 
-/// The options that were given and that decide what is drawn, as arguments of one input, `--name=value` each. Paths that
-/// are relative become relative to `folder`.
+/// The options that were given and that decide what is drawn, as arguments of one input, `--name=value` each. Paths
+/// that are relative become relative to `folder`.
 std::vector<std::string> recordedArguments(const RenderOptions& options, const std::string& input,
                                            const std::string& folder);
 

@@ -6,7 +6,8 @@
 namespace torrance {
 namespace {
 
-/// The continued fraction of Abramowitz & Stegun 26.5.8 by Lentz's method; converges fast for x < (a + 1) / (a + b + 2).
+/// The continued fraction of Abramowitz & Stegun 26.5.8 by Lentz's method; converges fast for x < (a + 1) / (a + b +
+/// 2).
 double betaFraction(double a, double b, double x)
 {
     constexpr double kTiny = 1e-300; // stands in for a denominator of exactly 0
@@ -38,8 +39,7 @@ double regularizedBeta(double a, double b, double x, double y)
         return 1.0;
     const double front =
         std::exp(std::lgamma(a + b) - std::lgamma(a) - std::lgamma(b) + a * std::log(x) + b * std::log(y));
-    return x < (a + 1.0) / (a + b + 2.0) ? front * betaFraction(a, b, x) / a
-                                         : 1.0 - front * betaFraction(b, a, y) / b;
+    return x < (a + 1.0) / (a + b + 2.0) ? front * betaFraction(a, b, x) / a : 1.0 - front * betaFraction(b, a, y) / b;
 }
 
 } // namespace

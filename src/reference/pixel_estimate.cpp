@@ -4,6 +4,8 @@
 #include "reference/shade.h"
 #include "scene/camera_view.h"
 
+#include <algorithm>
+
 namespace torrance {
 namespace {
 
@@ -42,7 +44,8 @@ struct PixelEstimator::Point
 
 PixelEstimator::PixelEstimator(const Scene& scene, const Camera& c, const ReferenceSettings& s)
     : settings(s), yardstick(&s.methods), camera(c), caster(scene, cameraPosition(c)),
-      offsets(sampleOffsets(s.pixelSamples))
+      offsets(sampleOffsets(s.pixelSamples)),
+      holes(std::ranges::any_of(scene.materials, [](const Material& m) { return m.alphaMode != AlphaMode::opaque; }))
 {
     if (settings.physics)
         yardstick = &interfaceAlbedo.emplace(commonIor(scene));
@@ -105,8 +108,8 @@ void PixelEstimator::gather(int x, int y, std::uint64_t seed, std::vector<Point>
 {
     const double weight = 1.0 / static_cast<double>(offsets.size());
     for (std::size_t sample = 0; sample < offsets.size(); ++sample)
-        gatherPlace(dvec2(x + 0.5, y + 0.5) + offsets[sample], weight,
-                    hashNumbers({seed, numberOf(x, y), sample}), points, exact);
+        gatherPlace(dvec2(x + 0.5, y + 0.5) + offsets[sample], weight, hashNumbers({seed, numberOf(x, y), sample}),
+                    points, exact);
 }
 
 Ray PixelEstimator::rayAt(double x, double y) const
@@ -129,7 +132,8 @@ VisibleSurfaces PixelEstimator::surfacesAt(double x, double y) const
 
 std::optional<Hit> PixelEstimator::seenFrom(int x, int y) const
 {
-    const std::optional<NeighbourRays> neighbours = neighboursOf(x + 0.5, y + 0.5);
+    // Only a hole depends on how textures are filtered.
+    const std::optional<NeighbourRays> neighbours = holes ? neighboursOf(x + 0.5, y + 0.5) : std::nullopt;
     return firstVisible(caster, rayAt(x + 0.5, y + 0.5), neighbours ? &*neighbours : nullptr);
 }
 

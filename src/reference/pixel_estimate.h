@@ -79,6 +79,7 @@ private:
     Camera camera;
     RayCaster caster;
     std::vector<dvec2> offsets;
+    bool holes;                                    // some material lets others through
     std::vector<Light> exactLights;                // whose light on a point is one evaluation
     std::vector<Light> estimatedLights;            // the others
     std::optional<EnvironmentSampler> environment; // where it is not dark

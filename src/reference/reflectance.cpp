@@ -4,8 +4,7 @@
 
 namespace torrance {
 
-Reflectance::Reflectance(const Yardstick& yardstick, const MaterialPoint& material, const dvec3& v,
-                         ResponsePart p)
+Reflectance::Reflectance(const Yardstick& yardstick, const MaterialPoint& material, const dvec3& v, ResponsePart p)
     : surface(make(yardstick, material)), view(v), part(p)
 {
 }

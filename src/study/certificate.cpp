@@ -67,8 +67,8 @@ struct Looked
     std::span<const PixelError> sampleErrors() const { return std::span(errors).first(sampled); }
 };
 
-Looked chooseAndIntegrate(const PixelEstimator& estimator, const std::vector<CoveredPixel>& covered,
-                          const Image& drawn, const CertificateRequest& request, int directions)
+Looked chooseAndIntegrate(const PixelEstimator& estimator, const std::vector<CoveredPixel>& covered, const Image& drawn,
+                          const CertificateRequest& request, int directions)
 {
     Looked looked;
     looked.strata = drawSample(covered.size(), static_cast<std::size_t>(request.pixels), request.seed);

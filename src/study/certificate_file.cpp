@@ -32,17 +32,17 @@ Json numbersJson(const ErrorNumbers& numbers)
 Json worstJson(const Certificate& certificate)
 {
     const WorstFound& worst = *certificate.worst;
-    return Json::Object{{"error", boundedJson(worst.error)},
-                        {"x", worst.x},
-                        {"y", worst.y},
-                        {"material", worst.material},
-                        {"chosen", worst.why},
-                        {"drawn", colorJson(worst.drawn)},
-                        {"exact", colorJson(worst.exact)},
-                        {"cause", Json::Object{{"slot", worst.cause.slot},
-                                               {"method", worst.cause.method},
-                                               {"share", worst.cause.share}}},
-                        {"at_most_worse", certificate.worseShare}};
+    return Json::Object{
+        {"error", boundedJson(worst.error)},
+        {"x", worst.x},
+        {"y", worst.y},
+        {"material", worst.material},
+        {"chosen", worst.why},
+        {"drawn", colorJson(worst.drawn)},
+        {"exact", colorJson(worst.exact)},
+        {"cause",
+         Json::Object{{"slot", worst.cause.slot}, {"method", worst.cause.method}, {"share", worst.cause.share}}},
+        {"at_most_worse", certificate.worseShare}};
 }
 
 Json methodsJson(const brdf::Preset& methods)
@@ -100,9 +100,8 @@ void readNumbers(const JsonView& view, const std::string& name, ReadCertificate&
 {
     for (const char* which : {"mean", "median", "percentile_99"})
         for (const char* part : {"value", "low", "high"})
-            read.numbers.emplace_back(
-                name + " " + which + " " + part,
-                view.member(which).member(part).numberOr(std::numeric_limits<double>::quiet_NaN()));
+            read.numbers.emplace_back(name + " " + which + " " + part, view.member(which).member(part).numberOr(
+                                                                           std::numeric_limits<double>::quiet_NaN()));
 }
 
 void addNumbers(const ErrorNumbers& numbers, const std::string& name, std::vector<std::pair<std::string, double>>& list)

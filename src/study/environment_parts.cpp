@@ -78,8 +78,7 @@ EnvironmentParts environmentParts(const Settings& settings, const EnvironmentSam
     const double f0 = reflectanceOfIor(material.ior), m = material.metallic;
     EnvironmentParts parts;
     parts.lobe = material.occlusion * (reflected(dvec3(f0)) * (1.0 - m) + reflected(material.baseColor) * m);
-    parts.body =
-        material.occlusion * (1.0 - m) * irradiance * material.baseColor * bodyWeight(methods, lobe, f0, NoV);
+    parts.body = material.occlusion * (1.0 - m) * irradiance * material.baseColor * bodyWeight(methods, lobe, f0, NoV);
     return parts;
 }
 

@@ -34,7 +34,7 @@ Bounded meanOf(std::span<const PixelStratum> strata, std::span<const PixelError>
     if (!std::isfinite(above.ratio))
         return {above.ratio, 0.0, kUnbounded};
     Bounded mean;
-    mean.value = 0.5 * (above.ratio + std::max(below.ratio, 0.0));
+    mean.value = std::sqrt(above.ratio * std::max(below.ratio, 0.0)); // as PixelError::middle
     mean.low = std::max(0.0, below.ratio - student95(below.degrees) * below.standardError);
     mean.high = above.ratio;
     if (above.ratio > 0.0)

@@ -36,7 +36,7 @@ double sumOf(const dvec3& v)
 
 double PixelError::middle() const
 {
-    return 0.5 * (above + std::max(below, 0.0));
+    return std::sqrt(above * std::max(below, 0.0));
 }
 
 PixelError pixelError(const Replicates& differences, const Replicates& truths)
@@ -72,14 +72,13 @@ Bounded relativeError(const PixelError& error, double floor)
 {
     const double whole = error.norm + floor;
     if (!(whole > 0.0)) // black, and all of the picture is
-        return error.above > 0.0 ? Bounded{std::numeric_limits<double>::infinity(), 0.0,
-                                           std::numeric_limits<double>::infinity()}
-                                 : Bounded{};
+        return error.above > 0.0
+                   ? Bounded{std::numeric_limits<double>::infinity(), 0.0, std::numeric_limits<double>::infinity()}
+                   : Bounded{};
     const double value = error.middle() / whole;
     if (!std::isfinite(value))
         return {value, value, value};
-    const double half =
-        kStudent95 * (std::sqrt(error.errorVariance) + value * std::sqrt(error.normVariance)) / whole;
+    const double half = kStudent95 * (std::sqrt(error.errorVariance) + value * std::sqrt(error.normVariance)) / whole;
     return {value, std::max(0.0, std::min(value, error.below / whole) - half), error.above / whole + half};
 }
 

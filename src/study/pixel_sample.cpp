@@ -1,7 +1,7 @@
 #include "study/pixel_sample.h"
 
-#include "core/parallel.h"
 #include "core/error.h"
+#include "core/parallel.h"
 #include "math/scrambled_sequence.h"
 
 #include <algorithm>

@@ -78,9 +78,10 @@ std::vector<std::string> unvouchedEffects(const PixelEstimator& estimator, bool 
     if (const std::size_t n = count(seen, &Seen::shadow))
         effects.push_back(fmt::format("transport: shadows of lamps, at {} of {} pixels", n, all));
     if (const std::size_t n = count(seen, &Seen::others))
-        effects.push_back(fmt::format("transport: {} of {} pixels see other surfaces, whose shadow in the environment's "
-                                      "light and whose own light are not traced",
-                                      n, all));
+        effects.push_back(
+            fmt::format("transport: {} of {} pixels see other surfaces, whose shadow in the environment's "
+                        "light and whose own light are not traced",
+                        n, all));
     if (!samplingIsVouched)
         effects.emplace_back("sampling: pixel and texture filtering; --certify=sampling adds it");
     std::size_t thin = 0;
