@@ -10,13 +10,14 @@
 #include "app/command_reference.h"
 #include "app/command_render.h"
 #include "app/command_stability.h"
+#include "app/command_verify.h"
 
 namespace torrance {
 
 std::vector<Command> allCommands()
 {
-    return {renderCommand(), referenceCommand(), inspectCommand(), compareCommand(),   methodsCommand(),
-            probeCommand(),  benchCommand(),     conformCommand(), stabilityCommand(), devicesCommand()};
+    return {renderCommand(), referenceCommand(), inspectCommand(),   compareCommand(), methodsCommand(), probeCommand(),
+            benchCommand(),  conformCommand(),   stabilityCommand(), verifyCommand(),  devicesCommand()};
 }
 
 } // namespace torrance
