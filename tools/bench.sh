@@ -51,22 +51,24 @@ peer() {
     }' <<<"$row" >>"$work/frames.jsonl"
 }
 
-# The same of Torrance. ours NAME SAMPLES CACHE RUN INPUT...; RUN is empty where only frames are timed.
+# The same of Torrance. ours NAME SAMPLES CACHE RUN INPUT...; RUN is empty where only frames are timed. SAMPLES is a number, and with
+# "-reconstructed" behind it one shading a pixel.
 ours() {
-    local name=$1 samples=$2 cache=$3 run=$4
-    local start='{}'
+    local name=$1 cache=$3 run=$4
+    local start='{}' samples=${2%-*} sampling=()
+    [[ $2 == *-reconstructed ]] && sampling=(--pixel-sampling reconstructed)
     if [[ -n $run ]]; then
         start=$(XDG_CACHE_HOME=$cache tools/measure_process.py "$torrance" render "${@:5}" -r "${size}x$size" \
             --samples "$samples" --quiet -o "$work/images/torrance-$name.png")
     fi
-    "$torrance" bench "${@:5}" -r "${size}x$size" --samples "$samples" --seconds "${BENCH_SECONDS:-5}" --quiet \
+    "$torrance" bench "${@:5}" -r "${size}x$size" --samples "$samples" "${sampling[@]}" --seconds "${BENCH_SECONDS:-5}" --quiet \
         --json "$work/bench.json" >/dev/null
-    python3 - "$name" "$samples" "$run" "$start" "$work/bench.json" >>"$work/frames.jsonl" <<'PYTHON'
+    python3 - "$name" "$2" "$run" "$start" "$work/bench.json" >>"$work/frames.jsonl" <<'PYTHON'
 import json, sys
 name, samples, run, start, file = sys.argv[1:]
 start, bench = json.loads(start), json.load(open(file))
 result = bench["results"][0]
-line = {"who": "torrance", "model": name, "samples": int(samples), "run": run,
+line = {"who": "torrance", "model": name, "samples": int(samples.split("-")[0]), "sampling": samples.partition("-")[2] or "supersampled", "run": run,
         "cpu_ms": result["cpu_ms"]["median"], "wall_ms": result["wall_ms"]["median"],
         "held_mib": result["held_mib"], "triangles": result["triangles"],
         "passes": {k: v["cpu_ms"]["median"] for k, v in result["passes"].items()},
@@ -93,6 +95,7 @@ round_with_peers() { # round_with_peers MODEL ENVIRONMENT
         [[ $peer == f3d ]] && continue # start to picture only
         peer "$work/models/$1.glb" "$2" 4 "$peer" 0 "$work/cache" ""
         ours "$name" 4 "$work/cache" "" "${drawn[@]}"
+        ours "$name" 4-reconstructed "$work/cache" "" "${drawn[@]}"
     done
 }
 
@@ -102,6 +105,7 @@ round_alone() { # round_alone NAME INPUT...
     ours "$1" 1 "$cache" first "${@:2}"
     ours "$1" 1 "$cache" second "${@:2}"
     ours "$1" 4 "$cache" "" "${@:2}"
+    ours "$1" 4-reconstructed "$cache" "" "${@:2}"
     rm -rf "$cache"
 }
 

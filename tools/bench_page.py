@@ -32,9 +32,9 @@ BENCH = read_json("bench.json")
 GROWTH = read_json("growth.json")
 
 
-def figures(who, model, samples, key, run=None):
+def figures(who, model, samples, key, run=None, sampling="supersampled"):
     return [f[key] for f in FRAMES if key in f and (f["who"], f["model"], f["samples"]) == (who, model, samples)
-            and (run is None or f["run"] == run)]
+            and (run is None or f["run"] == run) and f.get("sampling", sampling) == sampling]
 
 
 def middle(values):
@@ -80,14 +80,21 @@ def against(ours, theirs):
     return "-" if ours is None or theirs is None else f"{ours / theirs:.2f}"
 
 
+FRAME_TABLES = [
+    (1, "supersampled", "One sample"),
+    (4, "reconstructed", "4 samples of depth and one shading a pixel, and MSAA 4x of the peers, which is the same"),
+    (4, "supersampled", "4 samples, each shaded, and MSAA 4x of the peers"),
+]
+
+
 def frame_tables():
     text = []
     models = keep_order(f["model"] for f in FRAMES)
-    for samples in (1, 4):
+    for samples, sampling, title in FRAME_TABLES:
         rows = []
         for model in models:
-            cpu = figures("torrance", model, samples, "cpu_ms")
-            wall = figures("torrance", model, samples, "wall_ms")
+            cpu = figures("torrance", model, samples, "cpu_ms", sampling=sampling)
+            wall = figures("torrance", model, samples, "wall_ms", sampling=sampling)
             best, who = best_peer(model, samples, "cpu_ms")
             row = [model, digits(middle(cpu)), digits(middle(wall))]
             if peers():
@@ -97,7 +104,7 @@ def frame_tables():
         columns = ["model", "Torrance, CPU ms", "wall ms"]
         if peers():
             columns += ["CPU ratio to the best peer", "best"] + [f"{p}, CPU ms" for p in peers() if p != "f3d"]
-        text += [f"### {'One sample' if samples == 1 else '4 samples, and MSAA 4x of the peers'}", ""]
+        text += [f"### {title}", ""]
         text += table(columns, rows)
     return text
 

@@ -25,7 +25,8 @@ SHARED_UINT(kBindEnvironmentRadiance, 19); // with mips, for methods that draw s
 
 SHARED_UINT(kBindAttributes, 20); // the first of the two pictures of shaders/passes/attributes.frag
 SHARED_UINT(kBindDepth, 22);
-SHARED_UINT(kBindLevel, 23); // the texture whose level of detail is kept
+SHARED_UINT(kBindSampleDepth, 23); // of four samples a pixel
+SHARED_UINT(kBindLevel, 24); // the texture whose level of detail is kept
 
 SHARED_END
 

@@ -28,6 +28,10 @@ SHARED_FLOAT(kMinLightDistance, 1e-6f);
 // surface is seen, so its normal cannot point away. Alters surfaces with n.v below it only.
 SHARED_FLOAT(kMinNoV, 1e-4f);
 
+// Four samples of a pixel are one surface where they lie within so many of its widths of a plane, in depth: shading differs
+// little there. So much, too, is it worth to a sample that a surface was shaded nearer to it, a squared pixel.
+SHARED_FLOAT(kPixelFlatness, 0.1f);
+
 #ifdef __cplusplus
 }
 #endif

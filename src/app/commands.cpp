@@ -10,6 +10,7 @@
 #include "app/command_reference.h"
 #include "app/command_render.h"
 #include "app/command_stability.h"
+#include "app/command_verify.h"
 #include "app/command_warm.h"
 
 namespace torrance {
@@ -17,7 +18,7 @@ namespace torrance {
 std::vector<Command> allCommands()
 {
     return {renderCommand(), referenceCommand(), inspectCommand(),   compareCommand(), methodsCommand(), probeCommand(),
-            benchCommand(),  conformCommand(),   stabilityCommand(), devicesCommand(), warmCommand()};
+            benchCommand(),  conformCommand(),   stabilityCommand(), verifyCommand(),  devicesCommand(), warmCommand()};
 }
 
 } // namespace torrance

@@ -5,6 +5,7 @@
 #include "brdf/brdf_terms.h"
 #include "brdf/light_query.h"
 #include "brdf/model_options.h"
+#include "brdf/pixel_sampling.h"
 #include "brdf/shading_point.h"
 
 #include <optional>
@@ -31,6 +32,7 @@ enum class Slot
     areaLight,            // reflected light of a sphere light
     sheen,                // lobe of fibres, 1/sr
     specularAntialiasing, // alpha of a pixel's normals
+    pixelSampling,        // a pixel's mean over its samples
     tone,                 // scene-linear to display-linear
     transfer,             // display-linear to encoded
 };
@@ -59,12 +61,14 @@ using FootprintFormula = double (*)(const NormalFootprint&);
 struct Preset;
 /// The whole BRDF, of the preset's other methods or of a source's own.
 using ModelFormula = BrdfTerms (*)(const Preset&, const ShadingPoint&);
+/// The colour of a pixel of which several samples are known.
+using PixelFormula = dvec4 (*)(const PixelQuery&);
 /// A slot that is judged by image, not by a formula of a point.
 struct NoFormula
 {
 };
 using Formula = std::variant<ScalarFormula, ColorFormula, DfgFormula, CurveFormula, EnvironmentFormula, AreaFormula,
-                             FootprintFormula, ModelFormula, NoFormula>;
+                             FootprintFormula, PixelFormula, ModelFormula, NoFormula>;
 
 /// Where a method may be used: inside, it is finite, not negative, and 32 bits keep it within rounding of its formula.
 /// `torrance stability` measures the same ranges; a test holds the two together.
@@ -126,6 +130,7 @@ struct Preset
     const Method* dfg;
     const Method* areaLight;
     const Method* specularAntialiasing;
+    const Method* pixelSampling;
     ModelOptions options = {}; // those that the model does not have are not read
 
     // What belongs to a source beside its formulas, unless something else is asked for.

@@ -618,6 +618,26 @@ constexpr Method kMethods[] = {
      .formula = FootprintFormula(&AA_tokuyoshi),
      .file = "material/aa_tokuyoshi.glsl"},
 
+    {.slot = Slot::pixelSampling,
+     .id = "supersampled",
+     .citation = "Ernst, Stamminger & Greiner 2006, Filter Importance Sampling: every sample is a picture of its own",
+     .approximates = "the picture under the reconstruction filter, sampled without end",
+     .domain = {.text = "all"},
+     .reciprocal = false,
+     .formula = PixelFormula(&PS_supersampled)},
+    {.slot = Slot::pixelSampling,
+     .id = "reconstructed",
+     .citation =
+         "Chajdas, McGuire & Luebke 2011, Subpixel Reconstruction Antialiasing for Deferred Shading, with planes "
+         "of depth in place of the bilateral weights",
+     .approximates = "the picture under the reconstruction filter, sampled without end",
+     .domain = {.text =
+                    "4 samples; edges of opaque and masked meshes: highlights, textures, and edges of blended surfaces "
+                    "stay as one sample has them"},
+     .reciprocal = false,
+     .formula = PixelFormula(&PS_reconstructed),
+     .file = "passes/reconstruct.frag"},
+
     {.slot = Slot::tone,
      .id = "khronos_neutral",
      .citation = "Khronos PBR Neutral Tone Mapper, specification 1.0",

@@ -30,7 +30,8 @@ Preset gltf()
             .environmentSpecular = known(Slot::environmentSpecular, "split_sum"),
             .dfg = known(Slot::dfg, "table"),
             .areaLight = known(Slot::areaLight, "point"),
-            .specularAntialiasing = known(Slot::specularAntialiasing, "none")};
+            .specularAntialiasing = known(Slot::specularAntialiasing, "none"),
+            .pixelSampling = known(Slot::pixelSampling, "supersampled")};
 }
 
 Preset standard()
@@ -52,6 +53,7 @@ Preset source(std::string_view id, std::string_view description, std::string_vie
     preset.model = known(Slot::model, model);
     preset.areaLight = known(Slot::areaLight, "point"); // their lights have no size
     preset.specularAntialiasing = known(Slot::specularAntialiasing, "none");
+    preset.pixelSampling = known(Slot::pixelSampling, "supersampled");
     preset.light = light;
     return preset;
 }
@@ -129,6 +131,8 @@ auto* place(P& preset, Slot slot)
         return &preset.areaLight;
     case Slot::specularAntialiasing:
         return &preset.specularAntialiasing;
+    case Slot::pixelSampling:
+        return &preset.pixelSampling;
     case Slot::sheen: // of a layer that no material has yet
     case Slot::tone:  // of the output, not of the shading
     case Slot::transfer:

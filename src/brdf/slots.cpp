@@ -28,6 +28,7 @@ constexpr SlotNames kSlotNames[] = {
     {Slot::areaLight, "area_light", "A", false},
     {Slot::sheen, "sheen", "S", true},
     {Slot::specularAntialiasing, "specular_antialiasing", "AA", false},
+    {Slot::pixelSampling, "pixel_sampling", "PS", false},
     {Slot::tone, "tone", "tone", false},
     {Slot::transfer, "transfer", "transfer", false},
 };
@@ -46,6 +47,7 @@ constexpr Slot kSlots[] = {
     Slot::areaLight,
     Slot::sheen,
     Slot::specularAntialiasing,
+    Slot::pixelSampling,
     Slot::tone,
     Slot::transfer,
 };

@@ -5,6 +5,7 @@
 
 #include <cstddef>
 #include <map>
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
@@ -31,6 +32,11 @@ bool isExr(std::span<const std::byte> bytes);
 /// All channels of the first part, half, float and unsigned ones alike, as float. An Error (input) where the file is
 /// truncated or corrupt, deep, has subsampled channels or is larger than the limits of image_limits.h.
 ExrImage decodeExr(std::span<const std::byte> bytes, const std::string& file);
+
+/// A string attribute of the first part's header; nothing where it has none of this name. An Error (input) where the
+/// header is corrupt.
+std::optional<std::string> exrAttribute(std::span<const std::byte> bytes, const std::string& file,
+                                        const std::string& name);
 
 /// 32-bit float, ZIP. All layers have the size of the first. `attributes` become string attributes of the header.
 std::vector<std::byte> encodeExr(std::span<const ImageLayer> layers,

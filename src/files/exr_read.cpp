@@ -11,6 +11,7 @@
 #include <OpenEXR/ImfInputPart.h>
 #include <OpenEXR/ImfMultiPartInputFile.h>
 #include <OpenEXR/ImfPartType.h>
+#include <OpenEXR/ImfStringAttribute.h>
 
 #include <algorithm>
 #include <cstring>
@@ -133,10 +134,14 @@ bool isExr(std::span<const std::byte> bytes)
     return bytes.size() > 4 && std::equal(std::begin(kMagic), std::end(kMagic), bytes.begin());
 }
 
-ExrImage decodeExr(std::span<const std::byte> bytes, const std::string& file)
+namespace {
+
+/// The library's exceptions as Errors that name the file.
+template <typename Read>
+auto readGuarded(const std::string& file, const Read& read)
 {
     try {
-        return readFirstPart(bytes, file);
+        return read();
     } catch (const Error&) {
         throw;
     } catch (const std::bad_alloc&) {
@@ -144,6 +149,24 @@ ExrImage decodeExr(std::span<const std::byte> bytes, const std::string& file)
     } catch (const std::exception& error) {
         throw inputError(file, "", std::string("the EXR file is corrupt: ") + error.what(), "export the picture again");
     }
+}
+
+} // namespace
+
+ExrImage decodeExr(std::span<const std::byte> bytes, const std::string& file)
+{
+    return readGuarded(file, [&] { return readFirstPart(bytes, file); });
+}
+
+std::optional<std::string> exrAttribute(std::span<const std::byte> bytes, const std::string& file,
+                                        const std::string& name)
+{
+    return readGuarded(file, [&]() -> std::optional<std::string> {
+        MemoryInput stream(bytes, file);
+        Imf::MultiPartInputFile input(stream);
+        const auto* attribute = input.header(0).findTypedAttribute<Imf::StringAttribute>(name);
+        return attribute ? std::optional(attribute->value()) : std::nullopt;
+    });
 }
 
 } // namespace torrance

@@ -91,4 +91,15 @@ void copyToBuffer(Commands& commands, const DeviceImage& source, const Buffer& t
     commands.use({}, {use(target, Access::hostRead)});
 }
 
+void copyImage(Commands& commands, const DeviceImage& source, const DeviceImage& target)
+{
+    constexpr bool kDiscard = true;
+    commands.use({use(source, Access::transferRead), use(target, Access::transferWrite, kDiscard)});
+    const vk::ImageCopy region = {.srcSubresource = {source.aspect(), 0, 0, 1},
+                                  .dstSubresource = {target.aspect(), 0, 0, 1},
+                                  .extent = {source.shape.width, source.shape.height, 1}};
+    commands.buffer.copyImage(*source.handle, vk::ImageLayout::eTransferSrcOptimal, *target.handle,
+                              vk::ImageLayout::eTransferDstOptimal, region);
+}
+
 } // namespace torrance::gpu

@@ -46,4 +46,7 @@ void copyToImage(Commands& commands, const Buffer& source, const DeviceImage& ta
 /// Copies mip 0, layer 0 to a host-readable buffer, tightly packed.
 void copyToBuffer(Commands& commands, const DeviceImage& source, const Buffer& target);
 
+/// Copies mip 0, layer 0 to an image of the same size and format.
+void copyImage(Commands& commands, const DeviceImage& source, const DeviceImage& target);
+
 } // namespace torrance::gpu

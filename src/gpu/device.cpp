@@ -188,6 +188,11 @@ bool Device::computes(Precision precision) const
     return supports(physical, precision);
 }
 
+bool Device::samplesDepth() const
+{
+    return gpu::samplesDepth(physical);
+}
+
 std::uint32_t Device::memoryType(std::uint32_t allowedTypes, vk::MemoryPropertyFlags wanted,
                                  vk::MemoryPropertyFlags preferred) const
 {

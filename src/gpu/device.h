@@ -68,6 +68,8 @@ public:
     std::vector<std::string> validationMessages() const;
     /// Whether shaders may compute in this precision and read it from buffers.
     bool computes(Precision precision) const;
+    /// Whether depth can be drawn for four samples of a pixel, at Vulkan's standard places.
+    bool samplesDepth() const;
     std::uint32_t memoryType(std::uint32_t allowedTypes, vk::MemoryPropertyFlags wanted,
                              vk::MemoryPropertyFlags preferred) const;
 

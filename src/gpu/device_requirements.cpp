@@ -128,6 +128,14 @@ bool supports(const vk::raii::PhysicalDevice& physical, Precision precision)
     }
 }
 
+bool samplesDepth(const vk::raii::PhysicalDevice& physical)
+{
+    constexpr auto kFour = vk::SampleCountFlagBits::e4;
+    const vk::PhysicalDeviceLimits limits = physical.getProperties().limits;
+    return limits.standardSampleLocations && (limits.framebufferDepthSampleCounts & kFour) &&
+           (limits.sampledImageDepthSampleCounts & kFour) && physical.getFeatures().sampleRateShading;
+}
+
 vk::raii::Device makeDevice(const vk::raii::PhysicalDevice& physical, std::uint32_t queueFamily)
 {
     const float priority = 1.0f;
@@ -136,7 +144,8 @@ vk::raii::Device makeDevice(const vk::raii::PhysicalDevice& physical, std::uint3
     const bool half = supports(physical, Precision::fp16);
     const FeatureChain features = {
         vk::PhysicalDeviceFeatures2{
-            .features = {.occlusionQueryPrecise = physical.getFeatures().occlusionQueryPrecise, // tests count by it
+            .features = {.sampleRateShading = samplesDepth(physical),
+                         .occlusionQueryPrecise = physical.getFeatures().occlusionQueryPrecise, // tests count by it
                          .shaderFloat64 = supports(physical, Precision::fp64)}},
         vk::PhysicalDeviceVulkan11Features{.storageBuffer16BitAccess = half},
         vk::PhysicalDeviceVulkan12Features{.shaderFloat16 = half, .scalarBlockLayout = true},

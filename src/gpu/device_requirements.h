@@ -10,6 +10,9 @@ namespace torrance::gpu {
 DeviceDescription describe(const vk::raii::PhysicalDevice& physical);
 std::optional<std::uint32_t> graphicsQueueFamily(const vk::raii::PhysicalDevice& physical);
 bool supports(const vk::raii::PhysicalDevice& physical, Precision precision);
+/// Whether depth can be drawn for four samples of a pixel, at Vulkan's standard places, the fragment shader running for
+/// each.
+bool samplesDepth(const vk::raii::PhysicalDevice& physical);
 /// With every precision that the device supports.
 vk::raii::Device makeDevice(const vk::raii::PhysicalDevice& physical, std::uint32_t queueFamily);
 

@@ -26,16 +26,15 @@ void preferHugePagesOnHost(const Device& device, const vk::raii::DeviceMemory& m
 }
 
 // A software driver compiles a shader anew for pictures whose sides are powers of two, and the same for all others:
-// what is drawn to and sampled later always is of the others.
-std::uint32_t sideInMemory(std::uint32_t side, bool sampledTarget)
+// colours that are drawn and sampled later always are of the others. Not depth, whose size shaders ask for.
+bool isSampledColor(vk::ImageUsageFlags usage)
 {
-    return sampledTarget && std::has_single_bit(side) ? side + 1 : side;
+    return (usage & vk::ImageUsageFlagBits::eSampled) && (usage & vk::ImageUsageFlagBits::eColorAttachment);
 }
 
-bool isSampledTarget(vk::ImageUsageFlags usage)
+std::uint32_t sideInMemory(std::uint32_t side, vk::ImageUsageFlags usage)
 {
-    using Usage = vk::ImageUsageFlagBits;
-    return (usage & Usage::eSampled) && (usage & (Usage::eColorAttachment | Usage::eDepthStencilAttachment));
+    return isSampledColor(usage) && std::has_single_bit(side) ? side + 1 : side;
 }
 
 } // namespace
@@ -65,15 +64,15 @@ DeviceImage makeImage(const Device& device, const ImageShape& shape, vk::ImageUs
         throw usageError(std::to_string(shape.width) + "x" + std::to_string(shape.height) + " is more than " +
                              device.description.name + " can hold (" + std::to_string(limit) + " a side)",
                          "choose a smaller size");
-    const bool inRows = tiling == ImageTiling::rows, target = isSampledTarget(usage) && !shape.cube;
+    const bool inRows = tiling == ImageTiling::rows;
     const vk::ImageCreateInfo info = {
         .flags = shape.cube ? vk::ImageCreateFlagBits::eCubeCompatible : vk::ImageCreateFlags{},
         .imageType = vk::ImageType::e2D,
         .format = shape.format,
-        .extent = {sideInMemory(shape.width, target), sideInMemory(shape.height, target), 1},
+        .extent = {sideInMemory(shape.width, usage), sideInMemory(shape.height, usage), 1},
         .mipLevels = shape.mips,
         .arrayLayers = shape.layers,
-        .samples = vk::SampleCountFlagBits::e1,
+        .samples = shape.samples,
         .tiling = inRows ? vk::ImageTiling::eLinear : vk::ImageTiling::eOptimal,
         .usage = usage,
         .initialLayout = inRows ? vk::ImageLayout::ePreinitialized : vk::ImageLayout::eUndefined};

@@ -19,6 +19,7 @@ struct ImageShape
     std::uint32_t mips = 1;
     std::uint32_t layers = 1;
     bool cube = false; // layers = 6, in Vulkan's order of faces
+    vk::SampleCountFlagBits samples = vk::SampleCountFlagBits::e1;
     vk::Format format = vk::Format::eUndefined;
 
     bool operator==(const ImageShape&) const = default;

@@ -131,7 +131,10 @@ vk::raii::Pipeline makeHandle(const Device& device, const CompiledShader& vertex
     const vk::PipelineInputAssemblyStateCreateInfo assembly = {.topology = description.topology};
     const vk::PipelineViewportStateCreateInfo viewport = {.viewportCount = 1, .scissorCount = 1};
     const vk::PipelineRasterizationStateCreateInfo raster = {.polygonMode = vk::PolygonMode::eFill, .lineWidth = 1.0f};
-    const vk::PipelineMultisampleStateCreateInfo samples = {.rasterizationSamples = vk::SampleCountFlagBits::e1};
+    const vk::PipelineMultisampleStateCreateInfo samples = {
+        .rasterizationSamples = description.samples,
+        .sampleShadingEnable = fragment && description.samples != vk::SampleCountFlagBits::e1,
+        .minSampleShading = 1.0f};
     const auto depth = depthState(description.depth, description.stencil);
     const std::vector blends(description.colorFormats.size(), blendState(description.blend));
     const vk::PipelineColorBlendStateCreateInfo blend = {.attachmentCount = static_cast<std::uint32_t>(blends.size()),

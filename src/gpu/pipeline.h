@@ -53,6 +53,7 @@ struct PipelineDescription
     DepthUse depth = DepthUse::none;
     StencilUse stencil = StencilUse::none; // the reference is dynamic state
     Blend blend = Blend::replace;
+    vk::SampleCountFlagBits samples = vk::SampleCountFlagBits::e1; // of the targets; the fragment shader runs for each
     std::vector<std::uint32_t> constants = {}; // specialization constants 0, 1, ... of the fragment shader, as bits
 };
 

@@ -13,19 +13,6 @@ namespace {
 
 constexpr std::array kHarris = {0.35875, 0.48829, 0.14128, 0.01168};
 
-double inverseCumulative(double u)
-{
-    if (u == 0.5)
-        return 0.0; // the centre exactly: one sample a pixel is the pixel's centre
-    double low = -kFilterRadius, high = kFilterRadius;
-    constexpr int kHalvings = 60; // to the last bit of a double
-    for (int i = 0; i < kHalvings; ++i) {
-        const double middle = 0.5 * (low + high);
-        (filterCumulative(middle) < u ? low : high) = middle;
-    }
-    return 0.5 * (low + high);
-}
-
 } // namespace
 
 double filterCumulative(double x)
@@ -38,13 +25,26 @@ double filterCumulative(double x)
     return sum / (2.0 * kHarris[0]);
 }
 
+double filterPlace(double u)
+{
+    if (u == 0.5)
+        return 0.0; // the centre exactly: one sample a pixel is the pixel's centre
+    double low = -kFilterRadius, high = kFilterRadius;
+    constexpr int kHalvings = 60; // to the last bit of a double
+    for (int i = 0; i < kHalvings; ++i) {
+        const double middle = 0.5 * (low + high);
+        (filterCumulative(middle) < u ? low : high) = middle;
+    }
+    return 0.5 * (low + high);
+}
+
 std::vector<dvec2> sampleOffsets(int count)
 {
     const auto n = static_cast<std::uint32_t>(std::max(count, 1));
     const double half = 0.5 / std::bit_ceil(n); // centres the radical inverse in its stratum
     std::vector<dvec2> offsets;
     for (std::uint32_t i = 0; i < n; ++i)
-        offsets.emplace_back(inverseCumulative((i + 0.5) / n), inverseCumulative(radicalInverse2(i) + half));
+        offsets.emplace_back(filterPlace((i + 0.5) / n), filterPlace(radicalInverse2(i) + half));
     return offsets;
 }
 

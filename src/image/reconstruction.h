@@ -17,6 +17,9 @@ inline constexpr double kFilterRadius = 1.0;
 /// normalised.
 double filterCumulative(double x);
 
+/// The place where filterCumulative is u: of even u in [0, 1], places are distributed as the filter weighs.
+double filterPlace(double u);
+
 /// `count` >= 1 offsets from the pixel's centre, in pixels, x right, y down; a single sample lies at the centre. A
 /// Hammersley set, so every sample has a row and a column of its own, warped by the filter's inverse cumulative.
 std::vector<dvec2> sampleOffsets(int count);

@@ -1,5 +1,6 @@
 #include "passes/renderer.h"
 
+#include "core/error.h"
 #include "gpu/guard.h"
 #include "image/reconstruction.h"
 #include "passes/attribute_pass.h"
@@ -11,6 +12,7 @@
 #include "passes/targets.h"
 #include "plan/attribute_plan.h"
 #include "plan/level_plan.h"
+#include "plan/pixel_sampling_plan.h"
 #include "scene/camera_view.h"
 #include "shaders/shared/bindings.h"
 
@@ -33,6 +35,17 @@ vk::Rect2D rectangleOf(const PixelBox& box)
 {
     const ivec2 size = box.beyond - box.first;
     return {{box.first.x, box.first.y}, {static_cast<std::uint32_t>(size.x), static_cast<std::uint32_t>(size.y)}};
+}
+
+// Where opaque surfaces may be seen.
+PixelBox surfaceArea(const FrameInputs& frame)
+{
+    const Settings& settings = frame.scene.plan.settings;
+    PixelBox area;
+    for (const Batch& batch : frame.scene.plan.batches)
+        for (const Draw& draw : batch.draws)
+            area.include(pixelBoxOf(frame.camera, settings.width, settings.height, draw.bounds));
+    return area;
 }
 
 // Whether the attributes path leaves something to be shaded as it is drawn.
@@ -58,6 +71,9 @@ Renderer::Renderer(const gpu::Device& d, gpu::ShaderLibrary& s, const std::files
 
 DeviceScene Renderer::upload(const Scene& scene, const ShadingPlan& plan, const Camera* onlyCamera)
 {
+    if (shadesOncePerPixel(plan.settings) && !device.samplesDepth())
+        throw usageError(device.description.name + " draws no depth of four samples at the standard places",
+                         "use --pixel-sampling supersampled");
     return gpu::guarded(device, [&] {
         const std::vector<int> finest =
             onlyCamera ? finestLevels(scene, plan, *onlyCamera) : std::vector<int>(plan.textures.size(), 0);
@@ -119,6 +135,11 @@ void Renderer::prepareTargets(const ShadingPlan& plan)
         targets.width = settings.width;
         targets.height = settings.height;
         targets.color = makeColorTarget(device, settings.width, settings.height, "color");
+    }
+    if (shadesOncePerPixel(settings) && !targets.sampleDepth) {
+        targets.sampleDepth = makeSampleDepthTarget(device, settings.width, settings.height);
+        targets.edges = makeDepthTarget(device, settings.width, settings.height);
+        targets.reconstructed = makeColorTarget(device, settings.width, settings.height, "reconstructed");
     }
     const bool attributes = plan.path == RenderPath::attributes;
     if (plan.path == RenderPath::deferred && targets.gbuffer.empty())
@@ -258,6 +279,55 @@ void Renderer::drawSurfaces(gpu::Commands& commands, const FrameInputs& frame)
     commands.buffer.endRendering();
 }
 
+void Renderer::drawSampleDepth(gpu::Commands& commands, const FrameInputs& frame)
+{
+    beginRendering(commands, {}, &*targets.sampleDepth, {}, LoadTarget::clear);
+    drawBatches(commands, frame, SurfaceOutput::sampleDepth);
+    commands.buffer.endRendering();
+}
+
+void Renderer::drawImage(gpu::Commands& commands, const gpu::Pipeline& pipeline, const gpu::Bindings& bindings)
+{
+    commands.buffer.bindPipeline(vk::PipelineBindPoint::eGraphics, *pipeline.handle);
+    bindings.push(commands.buffer, pipeline);
+    commands.buffer.draw(3, 1, 0, 0);
+}
+
+void Renderer::reconstruct(gpu::Commands& commands, const FrameInputs& frame)
+{
+    gpu::copyImage(commands, targets.color, *targets.reconstructed);
+    const PixelBox area = surfaceArea(frame);
+    if (area.empty())
+        return; // no surface, no edge
+    const bool attributes = frame.scene.plan.path == RenderPath::attributes;
+    const gpu::DeviceImage& depth = attributes ? targets.attributes->depth : *targets.depth;
+    gpu::Bindings bindings = frame.bindings;
+    bindings.set(shared::kBindSource, targets.color, pointSampler);
+    bindings.set(shared::kBindDepth, depth, pointSampler);
+    bindings.set(shared::kBindSampleDepth, *targets.sampleDepth, pointSampler);
+    commands.use({gpu::use(targets.color, gpu::Access::sampled),
+                  gpu::use(depth, attributes ? gpu::Access::depthTest : gpu::Access::sampled),
+                  gpu::use(*targets.sampleDepth, gpu::Access::sampled)});
+    beginRendering(commands, {}, &*targets.edges, kKeep, LoadTarget::clear);
+    commands.buffer.setScissor(0, rectangleOf(area));
+    drawImage(commands,
+              imagePipeline("passes/edges.frag", "",
+                            {.name = "edges", .depthFormat = kDepthFormat, .depth = gpu::DepthUse::testAndWrite}),
+              bindings);
+    commands.buffer.endRendering();
+    const std::array colors = {&*targets.reconstructed};
+    beginRendering(commands, colors, &*targets.edges, kKeep, LoadTarget::keep);
+    commands.buffer.setScissor(0, rectangleOf(area));
+    drawImage(commands,
+              imagePipeline("passes/reconstruct.frag", "",
+                            {.name = "reconstruction",
+                             .colorFormats = {kColorFormat},
+                             .depthFormat = kDepthFormat,
+                             .depth = gpu::DepthUse::equal}),
+              bindings);
+    commands.buffer.endRendering();
+}
+
 void Renderer::run(const std::vector<Pass>& passes, const FrameInputs& frame, const PassObserver& observer)
 {
     if (observer) {
@@ -295,6 +365,10 @@ void Renderer::drawColor(const DeviceScene& scene, const Camera& camera, const d
             passes.push_back({"surfaces", [&](gpu::Commands& commands) { drawDirectly(commands, frame); }});
     } else
         passes.push_back({"surfaces", [&](gpu::Commands& commands) { drawSurfaces(commands, frame); }});
+    if (shadesOncePerPixel(scene.plan.settings)) {
+        passes.push_back({"sample depth", [&](gpu::Commands& commands) { drawSampleDepth(commands, frame); }});
+        passes.push_back({"reconstruction", [&](gpu::Commands& commands) { reconstruct(commands, frame); }});
+    }
     run(passes, frame, observer);
 }
 
@@ -352,8 +426,8 @@ Picture Renderer::render(const DeviceScene& scene, const Camera& camera, const s
 {
     return gpu::guarded(device, [&] {
         const Settings& settings = scene.plan.settings;
-        const std::vector<dvec2> offsets = sampleOffsets(settings.samples);
-        const int count = static_cast<int>(offsets.size());
+        const int count = pictureCount(settings);
+        const std::vector<dvec2> offsets = sampleOffsets(count);
         std::optional<gpu::DeviceImage> sum;
         if (count > 1)
             sum = makeColorTarget(device, settings.width, settings.height, "sum of samples");
@@ -364,7 +438,10 @@ Picture Renderer::render(const DeviceScene& scene, const Camera& camera, const s
             if (progress)
                 progress(i + 1, count);
         }
-        Picture picture = {.color = readBack(device, sum ? *sum : targets.color), .layers = {}};
+        const gpu::DeviceImage& result = sum                            ? *sum
+                                         : shadesOncePerPixel(settings) ? *targets.reconstructed
+                                                                        : targets.color;
+        Picture picture = {.color = readBack(device, result), .layers = {}};
         if (settings.layers)
             picture.layers = drawLayers(scene, camera);
         return picture;

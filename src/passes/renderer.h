@@ -52,8 +52,8 @@ public:
     /// `progress` is called with (done, all) samples after each. Throws Error (deviceFailure, usage).
     Picture render(const DeviceScene& scene, const Camera& camera, const std::function<void(int, int)>& progress = {});
 
-    /// The picture of one sample at the pixels' centres, left on the device: what a frame of a window costs. With an
-    /// observer each pass is submitted apart, else all at once. Throws as render().
+    /// The picture of one sample at the pixels' centres, or of one shading a pixel, left on the device: what a frame of
+    /// a window costs. With an observer each pass is submitted apart, else all at once. Throws as render().
     void drawFrame(const DeviceScene& scene, const Camera& camera, const PassObserver& observer = {});
 
     std::size_t pipelineCount() const { return surfacePipelines.count() + imagePipelines.size(); }
@@ -67,6 +67,8 @@ private:
         int height = 0;
         gpu::DeviceImage color;
         std::optional<gpu::DeviceImage> depth;
+        // Where pixels are shaded once: what their samples see, which of them are edges, and the result.
+        std::optional<gpu::DeviceImage> sampleDepth, edges, reconstructed;
         std::vector<gpu::DeviceImage> gbuffer;      // of the deferred path
         std::optional<AttributeTargets> attributes; // of the attributes path
     };
@@ -92,6 +94,9 @@ private:
     void drawLighting(gpu::Commands& commands, const FrameInputs& frame);
     void drawSurfaces(gpu::Commands& commands, const FrameInputs& frame);
     void drawBackground(gpu::Commands& commands, const FrameInputs& frame);
+    void drawImage(gpu::Commands& commands, const gpu::Pipeline& pipeline, const gpu::Bindings& bindings);
+    void drawSampleDepth(gpu::Commands& commands, const FrameInputs& frame);
+    void reconstruct(gpu::Commands& commands, const FrameInputs& frame);
     void accumulate(const gpu::DeviceImage& sum, int index, int count);
     std::vector<Layer> drawLayers(const DeviceScene& scene, const Camera& camera);
     const gpu::Pipeline& imagePipeline(const std::string& fragment, const std::string& selected,

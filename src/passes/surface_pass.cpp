@@ -22,7 +22,8 @@ bool isShape(SurfaceKind kind)
 // Depth of an opaque mesh: of all that decides the text of a surface's shaders, only the topology matters.
 bool isPlainDepth(const ShaderKey& key, SurfaceOutput output)
 {
-    return output == SurfaceOutput::depth && key.alphaMode != AlphaMode::mask;
+    const bool depth = output == SurfaceOutput::depth || output == SurfaceOutput::sampleDepth;
+    return depth && key.alphaMode != AlphaMode::mask;
 }
 
 // The streams that a key's vertex shader reads, in the order of their locations.
@@ -117,6 +118,7 @@ OutputForm formOf(const ShadingPlan& plan, const ShaderKey& key, SurfaceOutput o
 {
     switch (output) {
     case SurfaceOutput::depth:
+    case SurfaceOutput::sampleDepth:
         return {isPlainDepth(key, output) ? "" : "passes/depth_masked.frag", 0, {}};
     case SurfaceOutput::layers:
         return {"passes/surface_layers.frag", kLayerTargets, {}};
@@ -143,7 +145,8 @@ gpu::PipelineDescription describePipeline(const ShadingPlan& plan, const ShaderK
                                           const OutputForm& form)
 {
     const bool attributes = output == SurfaceOutput::attributes;
-    const bool besideClasses = plan.path == RenderPath::attributes && output != SurfaceOutput::layers;
+    const bool besideClasses =
+        plan.path == RenderPath::attributes && output != SurfaceOutput::layers && output != SurfaceOutput::sampleDepth;
     const bool blends = key.alphaMode == AlphaMode::blend && output == SurfaceOutput::color;
     gpu::PipelineDescription description = {
         .name = key.name(),
@@ -153,6 +156,7 @@ gpu::PipelineDescription describePipeline(const ShadingPlan& plan, const ShaderK
         .depth = depthUseOf(key, output),
         .stencil = attributes ? gpu::StencilUse::write : gpu::StencilUse::none,
         .blend = blends ? gpu::Blend::premultiplied : gpu::Blend::replace,
+        .samples = output == SurfaceOutput::sampleDepth ? vk::SampleCountFlagBits::e4 : vk::SampleCountFlagBits::e1,
         .constants = form.constants,
     };
     for (const VertexAttribute attribute : attributesOf(key, output))
@@ -232,7 +236,7 @@ const gpu::Pipeline& SurfacePipelines::get(const ShadingPlan& plan, const Batch&
     const gpu::PipelineDescription description = describePipeline(plan, key, output, form);
     std::string identity = selected + form.fragment + vk::to_string(description.topology) +
                            std::to_string(static_cast<int>(description.depth)) +
-                           vk::to_string(*description.depthFormat);
+                           vk::to_string(*description.depthFormat) + vk::to_string(description.samples);
     for (const std::uint32_t constant : form.constants)
         identity += " " + std::to_string(constant);
     if (const auto found = pipelines.find(identity); found != pipelines.end())

@@ -15,6 +15,7 @@ enum class SurfaceOutput
 {
     color,        // one target
     depth,        // none, and only of surfaces that hasDepthPass
+    sampleDepth,  // as depth, of four samples a pixel
     colorAtDepth, // as color, where SurfaceOutput::depth has drawn
     layers,       // kLayerTargets targets: shaders/passes/surface_layers.frag
     attributes,   // one or two: shaders/material/attributes.glsl

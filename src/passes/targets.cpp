@@ -31,7 +31,7 @@ gpu::DeviceImage makeColorTarget(const gpu::Device& device, int width, int heigh
                           {.width = static_cast<std::uint32_t>(width),
                            .height = static_cast<std::uint32_t>(height),
                            .format = kColorFormat},
-                          Usage::eColorAttachment | Usage::eSampled | Usage::eTransferSrc, name);
+                          Usage::eColorAttachment | Usage::eSampled | Usage::eTransferSrc | Usage::eTransferDst, name);
 }
 
 gpu::DeviceImage makeDepthTarget(const gpu::Device& device, int width, int height)
@@ -40,7 +40,18 @@ gpu::DeviceImage makeDepthTarget(const gpu::Device& device, int width, int heigh
                           {.width = static_cast<std::uint32_t>(width),
                            .height = static_cast<std::uint32_t>(height),
                            .format = kDepthFormat},
-                          vk::ImageUsageFlagBits::eDepthStencilAttachment, "depth");
+                          vk::ImageUsageFlagBits::eDepthStencilAttachment | vk::ImageUsageFlagBits::eSampled, "depth");
+}
+
+gpu::DeviceImage makeSampleDepthTarget(const gpu::Device& device, int width, int height)
+{
+    return gpu::makeImage(device,
+                          {.width = static_cast<std::uint32_t>(width),
+                           .height = static_cast<std::uint32_t>(height),
+                           .samples = vk::SampleCountFlagBits::e4,
+                           .format = kDepthFormat},
+                          vk::ImageUsageFlagBits::eDepthStencilAttachment | vk::ImageUsageFlagBits::eSampled,
+                          "depth of samples");
 }
 
 gpu::DeviceImage makeDepthStencilTarget(const gpu::Device& device, int width, int height)

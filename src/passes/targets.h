@@ -20,6 +20,9 @@ inline constexpr vk::Format kDepthStencilFormat = vk::Format::eD32SfloatS8Uint; 
 gpu::DeviceImage makeColorTarget(const gpu::Device& device, int width, int height, const char* name);
 gpu::DeviceImage makeDepthTarget(const gpu::Device& device, int width, int height);
 
+/// Depth of four samples a pixel.
+gpu::DeviceImage makeSampleDepthTarget(const gpu::Device& device, int width, int height);
+
 /// One of kDepthStencilFormat, whose depth shaders may read.
 gpu::DeviceImage makeDepthStencilTarget(const gpu::Device& device, int width, int height);
 

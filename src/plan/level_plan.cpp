@@ -1,5 +1,6 @@
 #include "plan/level_plan.h"
 
+#include "plan/pixel_sampling_plan.h"
 #include "scene/camera_view.h"
 
 #include <algorithm>
@@ -164,7 +165,7 @@ private:
 
 double levelBias(const Settings& settings)
 {
-    return -0.5 * std::log2(static_cast<double>(settings.samples));
+    return -0.5 * std::log2(static_cast<double>(pictureCount(settings)));
 }
 
 std::vector<int> finestLevels(const Scene& scene, const ShadingPlan& plan, const Camera& camera)

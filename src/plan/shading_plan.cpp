@@ -7,6 +7,7 @@
 #include "plan/deferred_plan.h"
 #include "plan/light_plan.h"
 #include "plan/path_plan.h"
+#include "plan/pixel_sampling_plan.h"
 #include "plan/primitive_facts.h"
 
 #include <algorithm>
@@ -43,6 +44,7 @@ public:
         planMaterials();
         planSurfaces();
         planLighting();
+        checkPixelSampling(plan);
         choosePath(scene, plan);
         if (plan.path == RenderPath::deferred)
             planDeferred(plan);

@@ -48,7 +48,7 @@ ContentHash hashOfInputs(const Scene& scene, const Camera& camera, const Referen
                          std::string_view program)
 {
     const auto& [methods, physics, width, height, pixelSamples, directions, targetError, maxDirections, background,
-                 choice, seed] = settings;
+                 choice, seed, levelBias] = settings;
     ContentHasher hasher;
     hasher.add(program)
         .add(physics)
@@ -60,6 +60,7 @@ ContentHash hashOfInputs(const Scene& scene, const Camera& camera, const Referen
         .add(choice)
         .add(seed);
     hasher.add(targetError.value_or(0.0));
+    hasher.add(levelBias.has_value()).add(levelBias.value_or(0.0));
     hasher.add(background.has_value());
     const dvec4 color = background.value_or(dvec4(0.0));
     hasher.add(std::as_bytes(std::span(&color, 1)));

@@ -35,13 +35,13 @@ Beam sampler(const LightSample& light)
 } // namespace
 
 LightIntegral::LightIntegral(const Yardstick& yardstick, Source s, const MaterialPoint& material, const dvec3& v,
-                             DirectionChoice choice)
+                             DirectionChoice choice, ResponsePart part)
     : source(std::move(s)), shares(sharesOf(choice)),
       // Occlusion stands for what hides indirect light (glTF 2.0, 3.9.3).
       openness(std::holds_alternative<const EnvironmentSampler*>(source) ? material.occlusion : 1.0),
       worldFromLocal(frameAround(material.normal)), view(v * worldFromLocal),
       alpha(std::max(material.perceptualRoughness * material.perceptualRoughness, brdf::kMinAlpha)),
-      reflectance(yardstick, material, view)
+      reflectance(yardstick, material, view, part)
 {
 }
 

@@ -36,7 +36,7 @@ public:
 
     /// Keeps references. An environment is not dark; `view` is unit, in the world.
     LightIntegral(const Yardstick& yardstick, Source source, const MaterialPoint& material, const dvec3& view,
-                  DirectionChoice choice);
+                  DirectionChoice choice, ResponsePart part = ResponsePart::whole);
 
     /// The sum of what the directions of turns [first, first + turns) of the sequences of `key` contribute. The
     /// integral is the sum over their number. Occlusion takes its part of an environment's light.

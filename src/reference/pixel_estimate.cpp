@@ -4,6 +4,8 @@
 #include "reference/shade.h"
 #include "scene/camera_view.h"
 
+#include <algorithm>
+
 namespace torrance {
 namespace {
 
@@ -42,7 +44,8 @@ struct PixelEstimator::Point
 
 PixelEstimator::PixelEstimator(const Scene& scene, const Camera& c, const ReferenceSettings& s)
     : settings(s), yardstick(&s.methods), camera(c), caster(scene, cameraPosition(c)),
-      offsets(sampleOffsets(s.pixelSamples))
+      offsets(sampleOffsets(s.pixelSamples)),
+      holes(std::ranges::any_of(scene.materials, [](const Material& m) { return m.alphaMode != AlphaMode::opaque; }))
 {
     if (settings.physics)
         yardstick = &interfaceAlbedo.emplace(commonIor(scene));
@@ -86,21 +89,95 @@ void PixelEstimator::addSurface(const VisibleSurface& seen, double share, std::u
     }
 }
 
-void PixelEstimator::gather(int x, int y, std::vector<Point>& points, PixelEstimate& exact) const
+std::uint64_t PixelEstimator::numberOf(int x, int y) const
+{
+    return static_cast<std::uint64_t>(y) * static_cast<std::uint64_t>(settings.width) + static_cast<std::uint64_t>(x);
+}
+
+void PixelEstimator::gatherPlace(const dvec2& place, double weight, std::uint64_t key, std::vector<Point>& points,
+                                 PixelEstimate& exact) const
+{
+    const VisibleSurfaces seen = surfacesAt(place.x, place.y);
+    for (std::size_t i = 0; i < seen.surfaces.size(); ++i)
+        addSurface(seen.surfaces[i], weight * seen.surfaces[i].share, hashNumbers({key, i}), points, exact);
+    exact.covered += seen.surfaces.empty() ? 0.0 : weight;
+    exact.color += weight * seen.through * backgroundOf(rayAt(place.x, place.y));
+}
+
+void PixelEstimator::gather(int x, int y, std::uint64_t seed, std::vector<Point>& points, PixelEstimate& exact) const
 {
     const double weight = 1.0 / static_cast<double>(offsets.size());
-    const auto pixel =
-        static_cast<std::uint64_t>(y) * static_cast<std::uint64_t>(settings.width) + static_cast<std::uint64_t>(x);
-    for (std::size_t sample = 0; sample < offsets.size(); ++sample) {
-        const Ray ray = primaryRay(camera, settings.width, settings.height, x + 0.5 + offsets[sample].x,
-                                   y + 0.5 + offsets[sample].y);
-        const VisibleSurfaces seen = visibleSurfaces(caster, ray);
-        for (std::size_t i = 0; i < seen.surfaces.size(); ++i)
-            addSurface(seen.surfaces[i], weight * seen.surfaces[i].share,
-                       hashNumbers({settings.seed, pixel, sample, i}), points, exact);
-        exact.covered += seen.surfaces.empty() ? 0.0 : weight;
-        exact.color += weight * seen.through * backgroundOf(ray);
+    for (std::size_t sample = 0; sample < offsets.size(); ++sample)
+        gatherPlace(dvec2(x + 0.5, y + 0.5) + offsets[sample], weight, hashNumbers({seed, numberOf(x, y), sample}),
+                    points, exact);
+}
+
+Ray PixelEstimator::rayAt(double x, double y) const
+{
+    return primaryRay(camera, settings.width, settings.height, x, y);
+}
+
+std::optional<NeighbourRays> PixelEstimator::neighboursOf(double x, double y) const
+{
+    if (!settings.levelBias)
+        return std::nullopt;
+    return NeighbourRays{rayAt(x + 1.0, y), rayAt(x, y + 1.0), *settings.levelBias};
+}
+
+VisibleSurfaces PixelEstimator::surfacesAt(double x, double y) const
+{
+    const std::optional<NeighbourRays> neighbours = neighboursOf(x, y);
+    return visibleSurfaces(caster, rayAt(x, y), neighbours ? &*neighbours : nullptr);
+}
+
+std::optional<Hit> PixelEstimator::seenFrom(int x, int y) const
+{
+    // Only a hole depends on how textures are filtered.
+    const std::optional<NeighbourRays> neighbours = holes ? neighboursOf(x + 0.5, y + 0.5) : std::nullopt;
+    return firstVisible(caster, rayAt(x + 0.5, y + 0.5), neighbours ? &*neighbours : nullptr);
+}
+
+Replicates PixelEstimator::sumsOfTurns(const std::vector<Point>& points, std::uint32_t first, std::uint32_t turns) const
+{
+    Replicates sums;
+    for (std::uint64_t replicate = 0; replicate < kReplicates; ++replicate)
+        for (const Point& point : points)
+            sums.values[replicate] +=
+                point.share * point.integral.sumOfTurns(hashNumbers({point.key, replicate}), first, turns);
+    return sums;
+}
+
+PixelReplicates PixelEstimator::replicates(int x, int y, int directions, std::uint64_t seed) const
+{
+    std::vector<Point> points;
+    PixelEstimate exact;
+    gather(x, y, seed, points, exact);
+    const auto turns = static_cast<std::uint32_t>(directions / kDirectionsPerRound);
+    PixelReplicates result = {sumsOfTurns(points, 0, turns), points.empty()};
+    for (dvec3& color : result.colors.values)
+        color = color / (double(turns) * kDirectionsPerTurn) + dvec3(exact.color);
+    return result;
+}
+
+PixelReplicates PixelEstimator::wholePixel(int x, int y, int places, int turns) const
+{
+    PixelReplicates result = {{}, false};
+    for (std::uint64_t replicate = 0; replicate < kReplicates; ++replicate) {
+        const std::uint64_t key = hashNumbers({settings.seed, numberOf(x, y), replicate, ~std::uint64_t(0)});
+        const ScrambledSequence sequence(key);
+        std::vector<Point> points;
+        PixelEstimate exact;
+        for (int i = 0; i < places; ++i) {
+            const dvec2 u = sequence[static_cast<std::uint32_t>(i)];
+            gatherPlace(dvec2(x + 0.5 + filterPlace(u.x), y + 0.5 + filterPlace(u.y)), 1.0 / places,
+                        hashNumbers({key, static_cast<std::uint64_t>(i)}), points, exact);
+        }
+        dvec3 sum(0.0);
+        for (const Point& point : points)
+            sum += point.share * point.integral.sumOfTurns(point.key, 0, static_cast<std::uint32_t>(turns));
+        result.colors.values[replicate] = dvec3(exact.color) + sum / (double(turns) * kDirectionsPerTurn);
     }
+    return result;
 }
 
 PixelEstimate PixelEstimator::estimate(int x, int y, int directions, std::optional<double> target,
@@ -108,16 +185,15 @@ PixelEstimate PixelEstimator::estimate(int x, int y, int directions, std::option
 {
     std::vector<Point> points;
     PixelEstimate exact;
-    gather(x, y, points, exact);
+    gather(x, y, settings.seed, points, exact);
     if (points.empty())
         return exact;
     Replicates sums; // over all turns so far
     std::uint32_t turns = 0;
     for (auto goal = static_cast<std::uint32_t>(directions / kDirectionsPerRound);; goal *= 2) {
-        for (std::uint64_t replicate = 0; replicate < kReplicates; ++replicate)
-            for (const Point& point : points)
-                sums.values[replicate] +=
-                    point.share * point.integral.sumOfTurns(hashNumbers({point.key, replicate}), turns, goal - turns);
+        const Replicates more = sumsOfTurns(points, turns, goal - turns);
+        for (std::size_t i = 0; i < kReplicates; ++i)
+            sums.values[i] += more.values[i];
         turns = goal;
         Replicates means = sums;
         for (dvec3& value : means.values)

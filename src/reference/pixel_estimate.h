@@ -2,6 +2,7 @@
 #pragma once
 
 #include "image/reconstruction.h"
+#include "math/replicates.h"
 #include "reference/reference_settings.h"
 #include "reference/visible_surfaces.h"
 
@@ -13,6 +14,14 @@ struct PixelEstimate
     dvec3 variance = dvec3(0.0); // of the mean, per channel, estimated from kReplicates repetitions
     double directions = 0.0;     // drawn for it, all surfaces and replicates together
     double covered = 0.0;        // share of the pixel's samples that meet a surface
+};
+
+/// A pixel as kReplicates independent estimates of one mean: whoever judges a difference needs to know how it scatters,
+/// not only how much.
+struct PixelReplicates
+{
+    Replicates colors; // scene-linear, premultiplied: each unbiased
+    bool exact = true; // all alike: nothing had to be estimated
 };
 
 /// A scene, seen by a camera, ready to be asked for any pixel. Any number of threads may ask; what a pixel holds
@@ -32,13 +41,37 @@ public:
     /// The same from the fewest directions that there can be: to know about how bright the picture is.
     PixelEstimate pilot(int x, int y) const;
 
+    /// `directions` of a pixel per surface point and light that is no point, a multiple of kDirectionsPerRound. Of
+    /// different seeds they are independent.
+    PixelReplicates replicates(int x, int y, int directions, std::uint64_t seed) const;
+
+    /// The whole pixel, in place of the places that the settings take of it: each replicate has `places` of its own,
+    /// random and even, by the reconstruction filter, and `turns` of directions at each.
+    PixelReplicates wholePixel(int x, int y, int places, int turns) const;
+
+    /// The ray through a place in the picture, in pixels from its top-left corner.
+    Ray rayAt(double x, double y) const;
+    /// The surfaces under it.
+    VisibleSurfaces surfacesAt(double x, double y) const;
+    /// What the pixel's centre sees first; a pixel is covered where that is something.
+    std::optional<Hit> seenFrom(int x, int y) const;
+
+    const RayCaster& rays() const { return caster; }
+    /// Null where it is dark.
+    const EnvironmentSampler* surroundings() const { return environment ? &*environment : nullptr; }
+
 private:
     struct Point;
     PixelEstimate estimate(int x, int y, int directions, std::optional<double> halfWidth, double meanNorm) const;
-    void gather(int x, int y, std::vector<Point>& points, PixelEstimate& exact) const;
+    void gather(int x, int y, std::uint64_t seed, std::vector<Point>& points, PixelEstimate& exact) const;
+    void gatherPlace(const dvec2& place, double weight, std::uint64_t key, std::vector<Point>& points,
+                     PixelEstimate& exact) const;
+    std::uint64_t numberOf(int x, int y) const;
     void addSurface(const VisibleSurface& seen, double share, std::uint64_t key, std::vector<Point>& points,
                     PixelEstimate& exact) const;
+    Replicates sumsOfTurns(const std::vector<Point>& points, std::uint32_t first, std::uint32_t turns) const;
     dvec4 backgroundOf(const Ray& ray) const;
+    std::optional<NeighbourRays> neighboursOf(double x, double y) const;
 
     const ReferenceSettings& settings;
     std::optional<InterfaceAlbedo> interfaceAlbedo; // of the yardstick physics
@@ -46,6 +79,7 @@ private:
     Camera camera;
     RayCaster caster;
     std::vector<dvec2> offsets;
+    bool holes;                                    // some material lets others through
     std::vector<Light> exactLights;                // whose light on a point is one evaluation
     std::vector<Light> estimatedLights;            // the others
     std::optional<EnvironmentSampler> environment; // where it is not dark

@@ -27,27 +27,6 @@ using GeometryPointer = std::unique_ptr<RTCGeometryTy, ReleaseGeometry>;
 using DevicePointer = std::unique_ptr<RTCDeviceTy, ReleaseDevice>;
 using ScenePointer = std::unique_ptr<RTCSceneTy, ReleaseScene>;
 
-/// Moller and Trumbore 1997 in double, on the whole plane of the triangle: which triangle is met was decided before.
-/// None where the ray lies in the plane.
-std::optional<Hit> meetTriangle(const std::array<dvec3, 3>& corners, const Ray& ray)
-{
-    const dvec3 e1 = corners[1] - corners[0];
-    const dvec3 e2 = corners[2] - corners[0];
-    const dvec3 p = glm::cross(ray.direction, e2);
-    const double determinant = glm::dot(e1, p);
-    if (determinant == 0.0 || !std::isfinite(determinant))
-        return std::nullopt;
-    const dvec3 s = ray.origin - corners[0];
-    const dvec3 q = glm::cross(s, e1);
-    const double u = glm::dot(s, p) / determinant;
-    const double v = glm::dot(ray.direction, q) / determinant;
-    Hit hit;
-    hit.barycentric = dvec3(1.0 - u - v, u, v);
-    hit.distance = glm::dot(e2, q) / determinant;
-    hit.front = determinant > 0.0;
-    return hit;
-}
-
 /// What Embree's filter needs to judge a hit; the context comes first because Embree hands back a pointer to it.
 struct Query
 {
@@ -137,6 +116,25 @@ std::optional<Hit> closestShape(const RayCaster& caster, const Ray& ray, double 
 }
 
 } // namespace
+
+std::optional<Hit> meetTriangle(const std::array<dvec3, 3>& corners, const Ray& ray)
+{
+    const dvec3 e1 = corners[1] - corners[0];
+    const dvec3 e2 = corners[2] - corners[0];
+    const dvec3 p = glm::cross(ray.direction, e2);
+    const double determinant = glm::dot(e1, p);
+    if (determinant == 0.0 || !std::isfinite(determinant))
+        return std::nullopt;
+    const dvec3 s = ray.origin - corners[0];
+    const dvec3 q = glm::cross(s, e1);
+    const double u = glm::dot(s, p) / determinant;
+    const double v = glm::dot(ray.direction, q) / determinant;
+    Hit hit;
+    hit.barycentric = dvec3(1.0 - u - v, u, v);
+    hit.distance = glm::dot(e2, q) / determinant;
+    hit.front = determinant > 0.0;
+    return hit;
+}
 
 struct RayCaster::State
 {

@@ -4,6 +4,7 @@
 #include "math/ray.h"
 #include "scene/scene.h"
 
+#include <array>
 #include <functional>
 #include <memory>
 #include <optional>
@@ -45,6 +46,10 @@ private:
     struct State;
     std::unique_ptr<State> state;
 };
+
+/// The ray and the plane of a triangle (Moller & Trumbore 1997, in double): barycentric coordinates, distance and side,
+/// of any sign and size. None where the ray lies in the plane.
+std::optional<Hit> meetTriangle(const std::array<dvec3, 3>& corners, const Ray& ray);
 
 /// The three corners of a triangle of an instance, in the world relative to `origin`.
 std::array<dvec3, 3> triangleCorners(const Scene& scene, int instance, int triangle, const dvec3& origin);

@@ -26,6 +26,9 @@ struct ReferenceSettings
     std::optional<dvec4> background = std::nullopt; // premultiplied; none: the environment
     DirectionChoice choice = DirectionChoice::combined;
     std::uint64_t seed = 0; // pictures of different seeds are independent: their difference is their noise
+    /// Textures are filtered as a picture of one look at each place is: by level, with this bias (reference/
+    /// texture_levels.h). None: level 0, whatever lies under the pixel.
+    std::optional<double> levelBias = std::nullopt;
 };
 
 } // namespace torrance

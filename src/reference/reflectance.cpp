@@ -4,8 +4,8 @@
 
 namespace torrance {
 
-Reflectance::Reflectance(const Yardstick& yardstick, const MaterialPoint& material, const dvec3& v)
-    : surface(make(yardstick, material)), view(v)
+Reflectance::Reflectance(const Yardstick& yardstick, const MaterialPoint& material, const dvec3& v, ResponsePart p)
+    : surface(make(yardstick, material)), view(v), part(p)
 {
 }
 
@@ -29,7 +29,16 @@ dvec3 Reflectance::operator()(const dvec3& l, std::uint64_t key) const
     point.baseColor = model.baseColor;
     point.metallic = model.metallic;
     point.ior = model.ior;
-    return brdf::evaluateTerms(*model.preset, point).response();
+    const brdf::BrdfTerms terms = brdf::evaluateTerms(*model.preset, point);
+    switch (part) {
+    case ResponsePart::body:
+        return terms.diffuse * terms.weight;
+    case ResponsePart::lobe:
+        return terms.specular * terms.weight;
+    case ResponsePart::whole:
+        break;
+    }
+    return terms.response();
 }
 
 } // namespace torrance

@@ -11,12 +11,22 @@ namespace torrance {
 /// The model that was asked for, integrated exactly; or `physics`.
 using Yardstick = std::variant<const brdf::Preset*, const InterfaceAlbedo*>;
 
+/// Which part of a BRDF counts: for telling what of a pixel's light comes by which way.
+enum class ResponsePart
+{
+    whole,
+    body, // diffuse
+    lobe, // specular
+};
+
 /// Radiance per irradiance of a surface that faces the light, at a point whose normal is +Z. `view` is above the
 /// surface, `key` chooses the random numbers where it takes some: an unbiased estimate of `physics`, exact otherwise.
 class Reflectance
 {
 public:
-    Reflectance(const Yardstick& yardstick, const MaterialPoint& material, const dvec3& view);
+    /// Parts are known of methods, not of `physics`, which counts whole.
+    Reflectance(const Yardstick& yardstick, const MaterialPoint& material, const dvec3& view,
+                ResponsePart part = ResponsePart::whole);
 
     dvec3 operator()(const dvec3& l, std::uint64_t key) const;
 
@@ -33,6 +43,7 @@ private:
 
     std::variant<Model, PhysicalSurface> surface;
     dvec3 view;
+    ResponsePart part;
 };
 
 } // namespace torrance

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "reference/ray_caster.h"
+#include "reference/texture_levels.h"
 
 #include <array>
 #include <optional>
@@ -15,6 +16,20 @@ struct TangentFrame
     dvec3 bitangent = dvec3(0.0, 1.0, 0.0); // w * cross(normal, tangent), w negated where the node mirrors
 };
 
+/// What a pixel covers around the point: by what its texture coordinates are filtered.
+struct SurfaceFootprint
+{
+    std::array<UvSteps, 2> uvs;
+    double levelBias = 0.0;
+};
+
+/// The rays through the same place of the pixel to the right and of the pixel below.
+struct NeighbourRays
+{
+    Ray right, below;
+    double levelBias = 0.0; // of the textures' levels
+};
+
 struct SurfacePoint
 {
     dvec3 view = dvec3(0.0, 0.0, 1.0);  // unit, towards where the ray comes from
@@ -25,6 +40,7 @@ struct SurfacePoint
     bool front = true;         // the front side is seen
     std::optional<TangentFrame> frame;
     std::array<dvec2, 2> uvs = {dvec2(0.0), dvec2(0.0)};
+    std::optional<SurfaceFootprint> footprint;
     dvec4 color = dvec4(1.0); // COLOR_0
     int material = -1;
     int object = -1; // Instance::object; of analytic shape number i, -1 - i
@@ -32,7 +48,8 @@ struct SurfacePoint
 
 /// Normals go through the cofactor matrix times the determinant's sign, tangents through the matrix; both are
 /// interpolated before they are made unit. Where a primitive has no normals, or they vanish, the triangle's own stands
-/// in.
-SurfacePoint makeSurfacePoint(const RayCaster& caster, const Ray& ray, const Hit& hit);
+/// in. With neighbours the point has a footprint: where they meet the plane of its triangle, wherever that ends.
+SurfacePoint makeSurfacePoint(const RayCaster& caster, const Ray& ray, const Hit& hit,
+                              const NeighbourRays* neighbours = nullptr);
 
 } // namespace torrance

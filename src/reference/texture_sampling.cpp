@@ -1,5 +1,6 @@
 #include "reference/texture_sampling.h"
 
+#include <array>
 #include <cmath>
 #include <cstdint>
 #include <cstring>
@@ -11,6 +12,18 @@ namespace {
 double srgbToLinear(double encoded)
 {
     return encoded <= 0.04045 ? encoded / 12.92 : std::pow((encoded + 0.055) / 1.055, 2.4);
+}
+
+/// Of all codes of 8 bits: a mean over an area asks for thousands.
+const std::array<double, 256>& linearOfCodes()
+{
+    static const std::array<double, 256> table = [] {
+        std::array<double, 256> values{};
+        for (std::size_t code = 0; code < values.size(); ++code)
+            values[code] = srgbToLinear(double(code) / 255.0);
+        return values;
+    }();
+    return table;
 }
 
 double channelAt(const TextureImage& image, std::size_t texel, int channel)
@@ -52,6 +65,12 @@ dvec4 texelAt(const TextureImage& image, int x, int y, ColorSpace space)
     const std::size_t texel =
         static_cast<std::size_t>(y) * static_cast<std::size_t>(image.width) + static_cast<std::size_t>(x);
     dvec4 value;
+    if (space == ColorSpace::srgb && image.format == TexelFormat::rgba8) {
+        const std::byte* codes = image.texels.data() + 4 * texel;
+        const auto& linear = linearOfCodes();
+        return {linear[std::size_t(codes[0])], linear[std::size_t(codes[1])], linear[std::size_t(codes[2])],
+                double(codes[3]) / 255.0};
+    }
     for (int c = 0; c < 4; ++c) {
         const double stored = channelAt(image, texel, c);
         value[c] = space == ColorSpace::srgb && c < 3 ? srgbToLinear(stored) : stored;
@@ -76,13 +95,17 @@ dvec4 sampleImage(const TextureImage& image, const Sampler& sampler, const dvec2
     return (1.0 - fy) * top + fy * bottom;
 }
 
+dvec2 usedUv(const TextureUse& use, const std::array<dvec2, 2>& uvs)
+{
+    return use.transform * dvec3(uvs[static_cast<std::size_t>(use.uvSet)], 1.0);
+}
+
 dvec4 sampleUse(const Scene& scene, const TextureUse& use, const std::array<dvec2, 2>& uvs, ColorSpace space)
 {
     if (!use.used())
         return dvec4(1.0);
     const Texture& texture = scene.textures[static_cast<std::size_t>(use.texture)];
-    const dvec2 uv = use.transform * dvec3(uvs[static_cast<std::size_t>(use.uvSet)], 1.0);
-    return sampleImage(scene.images[static_cast<std::size_t>(texture.image)], texture.sampler, uv, space);
+    return sampleImage(scene.images[static_cast<std::size_t>(texture.image)], texture.sampler, usedUv(use, uvs), space);
 }
 
 } // namespace torrance

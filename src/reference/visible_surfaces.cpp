@@ -1,23 +1,35 @@
 #include "reference/visible_surfaces.h"
 
 namespace torrance {
+namespace {
 
-VisibleSurfaces visibleSurfaces(const RayCaster& caster, const Ray& ray)
+std::optional<Hit> nextVisible(const RayCaster& caster, const Ray& ray, double beyond, const NeighbourRays* neighbours)
 {
     const Scene& scene = caster.scene();
-    const auto accept = [&](const Hit& hit) {
+    return caster.closest(ray, beyond, [&](const Hit& hit) {
         return materialOf(scene, materialIndexOf(scene, hit)).alphaMode == AlphaMode::opaque ||
-               coverageAt(scene, makeSurfacePoint(caster, ray, hit)) > 0.0;
-    };
+               coverageAt(scene, makeSurfacePoint(caster, ray, hit, neighbours)) > 0.0;
+    });
+}
+
+} // namespace
+
+std::optional<Hit> firstVisible(const RayCaster& caster, const Ray& ray, const NeighbourRays* neighbours)
+{
+    return nextVisible(caster, ray, 0.0, neighbours);
+}
+
+VisibleSurfaces visibleSurfaces(const RayCaster& caster, const Ray& ray, const NeighbourRays* neighbours)
+{
     VisibleSurfaces seen;
     double beyond = 0.0;
     while (seen.through > 0.0) {
-        const std::optional<Hit> hit = caster.closest(ray, beyond, accept);
+        const std::optional<Hit> hit = nextVisible(caster, ray, beyond, neighbours);
         if (!hit)
             break;
         VisibleSurface visible;
-        visible.surface = makeSurfacePoint(caster, ray, *hit);
-        visible.material = makeMaterialPoint(scene, visible.surface);
+        visible.surface = makeSurfacePoint(caster, ray, *hit, neighbours);
+        visible.material = makeMaterialPoint(caster.scene(), visible.surface);
         visible.share = seen.through * visible.material.alpha;
         seen.through *= 1.0 - visible.material.alpha;
         seen.surfaces.push_back(visible);

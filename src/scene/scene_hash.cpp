@@ -114,7 +114,8 @@ void add(ContentHasher& hasher, const Camera& camera)
 void add(ContentHasher& hasher, const Environment& environment)
 {
     const auto& [name, radiance, rotation, intensity] = environment;
-    addAll(hasher, name, radiance, rotation, intensity);
+    (void)name; // where it came from
+    addAll(hasher, radiance, rotation, intensity);
 }
 
 template <typename T>
@@ -145,7 +146,8 @@ void addToHash(ContentHasher& hasher, const Scene& scene)
 {
     const auto& [name, primitives, instances, shapes, materials, textures, images, lights, cameras, environment] =
         scene;
-    addAll(hasher, name, primitives, instances, shapes, materials, textures, images, lights, cameras, environment);
+    (void)name; // where it came from
+    addAll(hasher, primitives, instances, shapes, materials, textures, images, lights, cameras, environment);
 }
 
 void addToHash(ContentHasher& hasher, const Camera& camera)

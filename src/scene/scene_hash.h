@@ -1,4 +1,5 @@
-// What a scene is, as a number: two scenes that differ anywhere have different hashes.
+// What a scene is, as a number: two scenes that differ anywhere have different hashes. The
+// names of a scene and of its environment say where they came from, and are no part of it.
 #pragma once
 
 #include "core/content_hash.h"

@@ -2,6 +2,7 @@
 
 #include "files/image_encoders.h"
 #include "image/display.h"
+#include "plan/pixel_sampling_plan.h"
 
 #include <algorithm>
 
@@ -52,7 +53,7 @@ void BenchItem::finishOnce()
 TimeUse BenchItem::drawFrame()
 {
     const TimeUse start = timeUse();
-    if (plan.settings.samples == 1) {
+    if (pictureCount(plan.settings) == 1) {
         renderer.drawFrame(deviceScene, camera);
         return timeUse() - start;
     }

@@ -1,0 +1,68 @@
+#include "app/certify_option.h"
+
+#include "core/error.h"
+
+#include <CLI/CLI.hpp>
+
+#include <charconv>
+#include <sstream>
+
+namespace torrance {
+namespace {
+
+constexpr const char* kUsage = "it takes a number of pixels, sampling, or both: --certify=512,sampling";
+
+int pixelsOf(const std::string& text)
+{
+    int pixels = 0;
+    const auto [end, problem] = std::from_chars(text.data(), text.data() + text.size(), pixels);
+    const bool isNumber = problem != std::errc::invalid_argument && end == text.data() + text.size();
+    if (!isNumber)
+        throw usageError("--certify " + text + ": no number of pixels and no part", kUsage);
+    if (problem != std::errc() || pixels < kLeastCertified || pixels > kMostCertified)
+        throw usageError("--certify " + text + ": must be from " + std::to_string(kLeastCertified) + " to " +
+                             std::to_string(kMostCertified) + " pixels",
+                         std::to_string(kDefaultCertified) + " is the default");
+    return pixels;
+}
+
+} // namespace
+
+void declareCertifyOption(CLI::App& app, CertifyOption& option)
+{
+    option.given = app.add_option("--certify", option.text,
+                                  "Compare N covered pixels (default 512) with their exact light, and write "
+                                  "OUT.certificate.json; sampling: the error of pixel and texture filtering, too")
+                       ->group("Output")
+                       ->type_name("N|sampling")
+                       ->expected(0, 1);
+}
+
+std::optional<CertificateRequest> chosenCertificate(const CertifyOption& option)
+{
+    if (!option.given || option.given->count() == 0)
+        return std::nullopt;
+    CertificateRequest request;
+    if (option.text.ends_with(','))
+        throw usageError("--certify " + option.text + ": ends in a comma", kUsage);
+    std::istringstream parts(option.text);
+    for (std::string part; std::getline(parts, part, ',');) {
+        if (part == "transport")
+            throw usageError("--certify=transport: does not exist yet: nothing traces shadows and interreflection",
+                             "leave it out; the certificate lists them as not vouched for");
+        if (part == "sampling")
+            request.sampling = true;
+        else
+            request.pixels = pixelsOf(part);
+    }
+    return request;
+}
+
+void checkCertifiedOutput(const std::string& output)
+{
+    if (output == "-")
+        throw usageError("--certify: standard output has no place beside it for the certificate",
+                         "name a file with --output");
+}
+
+} // namespace torrance

@@ -1,0 +1,225 @@
+#include "study/certificate.h"
+
+#include "brdf/brdf.h"
+#include "core/error.h"
+#include "core/parallel.h"
+#include "measure/image_metrics.h"
+#include "plan/level_plan.h"
+#include "study/error_numbers.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace torrance {
+namespace {
+
+/// Places of a pixel per replicate of the part `sampling`: 64 in all.
+constexpr int kPlaces = 4;
+/// The worst pixel is integrated once more, with this many times the directions.
+constexpr int kWorstEffort = 16;
+
+dvec3 colorAt(const Image& image, const CoveredPixel& pixel)
+{
+    const float* color = image.at(pixel.x, pixel.y);
+    return {color[0], color[1], color[2]};
+}
+
+std::size_t nonFinitePixels(const Image& image)
+{
+    std::size_t count = 0;
+    for (std::size_t i = 0; i < image.texels.size(); i += static_cast<std::size_t>(image.channels)) {
+        bool finite = true;
+        for (std::size_t c = 0; c < static_cast<std::size_t>(image.channels); ++c)
+            finite = finite && std::isfinite(image.texels[i + c]);
+        count += finite ? 0 : 1;
+    }
+    return count;
+}
+
+int roundsOf(int directions, int places)
+{
+    return std::max(1, directions / (places * kDirectionsPerRound)) * kDirectionsPerRound;
+}
+
+std::optional<dvec4> backgroundOf(const Settings& settings)
+{
+    switch (settings.background) {
+    case BackgroundKind::color:
+        return dvec4(settings.backgroundColor, 1.0);
+    case BackgroundKind::transparent:
+        return dvec4(0.0);
+    case BackgroundKind::environment:
+        break;
+    }
+    return std::nullopt;
+}
+
+/// Everything that is looked at, with what is known of it: the sample first, the forced pixels after it.
+struct Looked
+{
+    std::vector<PixelStratum> strata;
+    std::vector<ForcedPixel> forced;
+    std::vector<std::size_t> pixels; // numbers in the list of covered pixels
+    std::size_t sampled = 0;
+    std::vector<Replicates> truths;
+    std::vector<PixelError> errors;
+
+    std::span<const PixelError> sampleErrors() const { return std::span(errors).first(sampled); }
+};
+
+Looked chooseAndIntegrate(const PixelEstimator& estimator, const std::vector<CoveredPixel>& covered, const Image& drawn,
+                          const CertificateRequest& request, int directions)
+{
+    Looked looked;
+    looked.strata = drawSample(covered.size(), static_cast<std::size_t>(request.pixels), request.seed);
+    looked.forced = forcedPixels(estimator.rays().scene(), covered, drawn, request.seed);
+    for (const PixelStratum& stratum : looked.strata)
+        looked.pixels.insert(looked.pixels.end(), stratum.drawn.begin(), stratum.drawn.end());
+    looked.sampled = looked.pixels.size();
+    for (const ForcedPixel& forced : looked.forced)
+        looked.pixels.push_back(forced.pixel);
+    looked.truths.resize(looked.pixels.size());
+    looked.errors.resize(looked.pixels.size());
+    parallelFor(looked.pixels.size(), 1, [&](std::size_t i) {
+        const CoveredPixel& pixel = covered[looked.pixels[i]];
+        looked.truths[i] = estimator.replicates(pixel.x, pixel.y, directions, request.seed).colors;
+        looked.errors[i] = pixelError(colorAt(drawn, pixel), looked.truths[i]);
+    });
+    return looked;
+}
+
+std::size_t worstOf(const Looked& looked, double meanNorm)
+{
+    std::size_t worst = 0;
+    double most = -1.0;
+    for (std::size_t i = 0; i < looked.errors.size(); ++i) {
+        const double error = relativeError(looked.errors[i], kPixelFloor * meanNorm).value;
+        if (error > most) {
+            most = error;
+            worst = i;
+        }
+    }
+    return worst;
+}
+
+std::string materialNameOf(const Scene& scene, int material)
+{
+    return material < 0 ? "" : oneLine(scene.materials[static_cast<std::size_t>(material)].name);
+}
+
+WorstFound worstFound(const PixelEstimator& estimator, const Settings& settings, const Image& drawn,
+                      const Looked& looked, const std::vector<CoveredPixel>& covered, double meanNorm, int directions,
+                      std::uint64_t seed)
+{
+    const std::size_t i = worstOf(looked, meanNorm);
+    const CoveredPixel& pixel = covered[looked.pixels[i]];
+    const dvec3 color = colorAt(drawn, pixel);
+    const Replicates truth = estimator.replicates(pixel.x, pixel.y, kWorstEffort * directions, seed).colors;
+    WorstFound worst = {.x = pixel.x,
+                        .y = pixel.y,
+                        .material = materialNameOf(estimator.rays().scene(), pixel.material),
+                        .why = i < looked.sampled ? "drawn at random" : looked.forced[i - looked.sampled].why,
+                        .drawn = color,
+                        .exact = truth.mean(),
+                        .error = relativeError(pixelError(color, truth), kPixelFloor * meanNorm),
+                        .cause = {}};
+    worst.cause = pixelCause(estimator, settings, pixel.x, pixel.y, color, worst.exact);
+    return worst;
+}
+
+/// What the truths are known to: over the sample, half the 95 % interval of |c|_1 against |c|_1.
+double noiseOf(std::span<const PixelError> errors)
+{
+    double widths = 0.0, norms = 0.0;
+    for (const PixelError& error : errors) {
+        widths += kStudent95 * std::sqrt(error.normVariance);
+        norms += error.norm;
+    }
+    return norms > 0.0 ? widths / norms : 0.0;
+}
+
+void addSamplingPart(const Scene& scene, const Camera& camera, const Settings& settings, const Image& drawn,
+                     const Looked& looked, const std::vector<CoveredPixel>& covered, Certificate& certificate)
+{
+    ReferenceSettings whole = exactSettings(settings, certificate.request);
+    whole.levelBias = std::nullopt; // the mean over the pixel is taken of the finest texels
+    whole.seed = certificate.request.seed + 2;
+    const PixelEstimator estimator(scene, camera, whole);
+    const int turns = std::max(1, certificate.request.directions / (kPlaces * kDirectionsPerRound));
+    std::vector<PixelError> own(looked.sampled), both(looked.sampled);
+    parallelFor(looked.sampled, 1, [&](std::size_t i) {
+        const CoveredPixel& pixel = covered[looked.pixels[i]];
+        const Replicates mean = estimator.wholePixel(pixel.x, pixel.y, kPlaces, turns).colors;
+        Replicates differences;
+        for (std::size_t r = 0; r < kReplicates; ++r)
+            differences.values[r] = looked.truths[i].values[r] - mean.values[r];
+        own[i] = pixelError(differences, mean);
+        both[i] = pixelError(colorAt(drawn, pixel), mean);
+    });
+    const double meanNorm = meanNormOf(looked.strata, own);
+    certificate.sampling = errorNumbers(looked.strata, own, meanNorm);
+    certificate.both = errorNumbers(looked.strata, both, meanNorm);
+}
+
+} // namespace
+
+ReferenceSettings exactSettings(const Settings& settings, const CertificateRequest& request)
+{
+    ReferenceSettings exact;
+    exact.methods = settings.methods;
+    exact.width = settings.width;
+    exact.height = settings.height;
+    exact.pixelSamples = settings.samples;
+    exact.directions = roundsOf(request.directions, settings.samples);
+    exact.background = backgroundOf(settings);
+    exact.seed = request.seed;
+    exact.levelBias = levelBias(settings);
+    return exact;
+}
+
+void requireCertifiable(const Scene& scene, const Settings& settings)
+{
+    if (settings.view)
+        throw usageError("--certify is of a picture, and --view draws a term of it", "leave one of them out");
+    brdf::requireWholeBrdf(settings.methods);
+    if (settings.methods.model->id == "phong" && scene.environment)
+        throw usageError("--certify: the preset " + std::string(settings.methods.id) +
+                             " is no BRDF, so that light from an environment has no integral",
+                         "leave the environment out: --environment none");
+}
+
+Certificate certify(const Scene& scene, const Camera& camera, const Settings& settings, const Image& drawn,
+                    const CertificateRequest& request)
+{
+    requireCertifiable(scene, settings);
+    const ReferenceSettings exact = exactSettings(settings, request);
+    const PixelEstimator estimator(scene, camera, exact);
+    const std::vector<CoveredPixel> covered = coveredPixels(estimator, settings.width, settings.height);
+    Certificate certificate;
+    certificate.request = request;
+    certificate.covered = covered.size();
+    certificate.nonFinite = nonFinitePixels(drawn);
+    if (covered.empty())
+        return certificate;
+    const Looked looked = chooseAndIntegrate(estimator, covered, drawn, request, exact.directions);
+    certificate.compared = looked.sampled;
+    certificate.forced = looked.forced.size();
+    certificate.meanNorm = meanNormOf(looked.strata, looked.sampleErrors());
+    certificate.noise = noiseOf(looked.sampleErrors());
+    certificate.shading = errorNumbers(looked.strata, looked.sampleErrors(), certificate.meanNorm);
+    certificate.worst = worstFound(estimator, settings, drawn, looked, covered, certificate.meanNorm, exact.directions,
+                                   request.seed + 1);
+    if (looked.sampled < covered.size())
+        certificate.worseShare = 1.0 - std::pow(0.05, 1.0 / static_cast<double>(looked.sampled));
+    if (request.sampling)
+        addSamplingPart(scene, camera, settings, drawn, looked, covered, certificate);
+    for (const std::size_t pixel : looked.pixels)
+        certificate.pixels.push_back({covered[pixel].x, covered[pixel].y, colorAt(drawn, covered[pixel])});
+    std::vector<dvec2> places;
+    for (std::size_t i = 0; i < looked.sampled; ++i)
+        places.emplace_back(certificate.pixels[i].x + 0.5, certificate.pixels[i].y + 0.5);
+    certificate.unvouched = unvouchedEffects(estimator, request.sampling, places);
+    return certificate;
+}
+
+} // namespace torrance

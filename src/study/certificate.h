@@ -1,0 +1,88 @@
+// How wrong a picture is: what the device wrote, held against the exact light of some of its pixels.
+#pragma once
+
+#include "image/image.h"
+#include "plan/settings.h"
+#include "scene/scene.h"
+#include "study/pixel_cause.h"
+#include "study/pixel_error.h"
+#include "study/unvouched.h"
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace torrance {
+
+/// Sample pixels where nothing else is asked for: the 3/N rule then speaks of 0.6 % of the pixels.
+inline constexpr int kDefaultCertified = 512;
+/// Below this many no interval says much.
+inline constexpr int kLeastCertified = 16;
+inline constexpr int kMostCertified = 1 << 20;
+
+struct CertificateRequest
+{
+    int pixels = kDefaultCertified;
+    bool sampling = false; // the part of pixel and texture filtering, too
+    std::uint64_t seed = 0;
+    int directions = 1024; // of a pixel, per light that is no point: about what keeps the truth's noise below the
+                           // sample's (docs/certificate.md)
+};
+
+/// A pixel that was looked at, and what the device wrote there.
+struct LookedPixel
+{
+    int x = 0, y = 0;
+    dvec3 drawn = dvec3(0.0);
+};
+
+/// Over the covered pixels, as DESIGN.md defines them: mean = sum |d - c|_1 / sum |c|_1; of a pixel, |d - c|_1 / (|c|_1
+/// + 1 % of the mean |c|_1).
+struct ErrorNumbers
+{
+    Bounded mean, median, percentile99;
+};
+
+struct WorstFound
+{
+    int x = 0, y = 0;
+    std::string material;
+    std::string why; // it was looked at: "drawn at random", "the brightest", ...
+    dvec3 drawn = dvec3(0.0), exact = dvec3(0.0);
+    Bounded error; // from directions of its own: the greatest of many estimates by itself is too great
+    PixelCause cause;
+};
+
+struct Certificate
+{
+    CertificateRequest request;
+    std::size_t covered = 0;   // pixels whose centre sees a surface
+    std::size_t compared = 0;  // of them, drawn at random
+    std::size_t forced = 0;    // and looked at beside them
+    std::size_t nonFinite = 0; // pixels with a NaN or Inf, in the whole picture
+    double meanNorm = 0.0;     // |c|_1
+    double noise = 0.0; // half the 95 % interval of the truths' |c|_1, mean over mean |c|_1: what one pixel is known to
+    ErrorNumbers shading;
+    std::optional<WorstFound> worst; // none where nothing is covered
+    /// At 95 %: at most this share of the covered pixels is worse than the worst found. 1 - 0.05^(1/N), about 3/N
+    /// (Hanley & Lippman-Hand, If Nothing Goes Wrong, Is Everything All Right?, 1983); 0 where all were compared.
+    double worseShare = 0.0;
+    std::optional<ErrorNumbers> sampling; // the pixel's own exact light against the exact mean over the pixel
+    std::optional<ErrorNumbers> both;     // what was drawn against that mean
+    std::vector<std::string> unvouched;
+    std::vector<LookedPixel> pixels; // those drawn at random, then the forced ones
+};
+
+/// `drawn` is what the device wrote: RGBA, scene-linear, premultiplied, drawn with these settings. A pure function of
+/// its arguments. Throws Error (usage) for what has no exact integral (a view, methods without a BRDF).
+Certificate certify(const Scene& scene, const Camera& camera, const Settings& settings, const Image& drawn,
+                    const CertificateRequest& request);
+
+/// That Error, before anything is drawn.
+void requireCertifiable(const Scene& scene, const Settings& settings);
+
+/// The exact integration of a picture with these settings: at its own places and texture levels.
+ReferenceSettings exactSettings(const Settings& settings, const CertificateRequest& request);
+
+} // namespace torrance

@@ -1,0 +1,182 @@
+// `torrance render --certify` and `torrance verify` as a user meets them.
+#include "files/exr_file.h"
+#include "files/image_read.h"
+#include "program.h"
+
+#include <fstream>
+#include <gtest/gtest.h>
+#include <iterator>
+#include <nlohmann/json.hpp>
+
+namespace torrance::test {
+namespace {
+
+class Certify : public ::testing::Test
+{
+protected:
+    std::string contentOf(const std::string& name)
+    {
+        std::ifstream file(folder.file(name), std::ios::binary);
+        return {std::istreambuf_iterator<char>(file), {}};
+    }
+    void put(const std::string& name, const std::string& content)
+    {
+        std::ofstream(folder.file(name), std::ios::binary) << content;
+    }
+    /// A small certified picture of a sphere.
+    void render(const std::string& name, const std::string& certify = "--certify=32")
+    {
+        const Outcome outcome = runTorrance({"render", "--primitive", "sphere", "--roughness", "0.4", "--metallic", "1",
+                                             "-r", "48x48", "-o", folder.file(name), certify});
+        ASSERT_EQ(outcome.exitCode, 0) << outcome.errors;
+    }
+    void expectRefused(const std::vector<std::string>& arguments, int code, const std::string& why)
+    {
+        const Outcome outcome = runTorrance(arguments);
+        EXPECT_EQ(outcome.exitCode, code) << why << ": " << outcome.errors;
+        EXPECT_TRUE(isOneLine(outcome.errors)) << outcome.errors;
+        EXPECT_NE(outcome.errors.find(why), std::string::npos) << outcome.errors;
+    }
+    Outcome verify(const std::string& name) { return runTorrance({"verify", folder.file(name)}); }
+
+    /// The picture with a block of pixels changed by `change`, its header as it was.
+    void changeBlock(const std::string& from, const std::string& to, float change)
+    {
+        const ReadImage read = readImage(folder.file(from));
+        ImageLayer layer{"", {"R", "G", "B", "A"}, read.image};
+        for (int y = 20; y < 28; ++y)
+            for (int x = 20; x < 28; ++x)
+                layer.image.at(x, y)[1] += change;
+        const std::vector<std::byte> bytes = encodeExr(std::span(&layer, 1), {});
+        put(to, {reinterpret_cast<const char*>(bytes.data()), bytes.size()});
+    }
+
+    TestFolder folder;
+};
+
+TEST_F(Certify, WritesTheSameBytesEachTimeAndVerifiesThem)
+{
+    render("a.exr");
+    const std::string picture = contentOf("a.exr"), certificate = contentOf("a.exr.certificate.json");
+    EXPECT_EQ(folder.names(), (std::vector<std::string>{"a.exr", "a.exr.certificate.json"}));
+    EXPECT_EQ(verify("a.exr").exitCode, 0);
+    render("a.exr");
+    EXPECT_EQ(contentOf("a.exr"), picture);
+    EXPECT_EQ(contentOf("a.exr.certificate.json"), certificate);
+    const auto json = nlohmann::json::parse(certificate);
+    EXPECT_EQ(json["sample"]["compared"], 32);
+    EXPECT_EQ(json["image"]["non_finite_pixels"], 0);
+    EXPECT_EQ(json["yardstick"], "model");
+    EXPECT_EQ(json["plan"]["methods"]["environment_specular"], "split_sum");
+    const auto& mean = json["shading"]["mean"];
+    EXPECT_LE(mean["low"].get<double>(), mean["value"].get<double>());
+    EXPECT_LE(mean["value"].get<double>(), mean["high"].get<double>());
+    EXPECT_NE(json["not_vouched_for"].dump().find("sampling"), std::string::npos);
+}
+
+TEST_F(Certify, HoldsInTheHeaderAloneAndInAMovedFolder)
+{
+    render("a.exr");
+    std::filesystem::remove(folder.file("a.exr.certificate.json"));
+    EXPECT_EQ(verify("a.exr").exitCode, 0);
+    std::filesystem::create_directory(folder.file("elsewhere"));
+    std::filesystem::rename(folder.file("a.exr"), folder.file("elsewhere/b.exr"));
+    EXPECT_EQ(verify("elsewhere/b.exr").exitCode, 0);
+}
+
+TEST_F(Certify, VerifiesPicturesThatHoldCodes)
+{
+    for (const char* name : {"a.png", "a.jpg", "a.hdr"}) {
+        render(name);
+        const Outcome outcome = verify(name);
+        EXPECT_EQ(outcome.exitCode, 0) << name << outcome.errors;
+        std::string bytes = contentOf(name);
+        bytes.back() = static_cast<char>(bytes.back() + 1);
+        put(name, bytes);
+        EXPECT_EQ(verify(name).exitCode, 1) << name;
+    }
+}
+
+TEST_F(Certify, AChangedBlockOfPixelsFails)
+{
+    render("a.exr");
+    changeBlock("a.exr", "b.exr", 0.0f); // written anew, nothing changed
+    put("b.exr.certificate.json", contentOf("a.exr.certificate.json"));
+    EXPECT_EQ(verify("b.exr").exitCode, 0);
+    changeBlock("a.exr", "b.exr", 0.01f);
+    expectRefused({"verify", folder.file("b.exr")}, 1, "hash differs");
+    // Nor does it hold with another's certificate, nor where numbers were touched up.
+    auto json = nlohmann::json::parse(contentOf("a.exr.certificate.json"));
+    json["shading"]["mean"]["value"] = json["shading"]["mean"]["value"].get<double>() * 0.9;
+    put("a.exr.certificate.json", json.dump());
+    expectRefused({"verify", folder.file("a.exr")}, 1, "shading mean value");
+}
+
+TEST_F(Certify, AnotherSceneFails)
+{
+    render("a.exr");
+    auto json = nlohmann::json::parse(contentOf("a.exr.certificate.json"));
+    for (auto& argument : json["scene"]["arguments"])
+        if (argument == "--roughness=0.4")
+            argument = "--roughness=0.41";
+    put("a.exr.certificate.json", json.dump());
+    expectRefused({"verify", folder.file("a.exr")}, 1, "the scene is not the one");
+    expectRefused({"verify", folder.file("a.exr"), "-e", "sky"}, 1, "the scene is not the one");
+    expectRefused({"verify", folder.file("a.exr"), "--model", "demo"}, 2, "--model");
+}
+
+TEST_F(Certify, RefusesCertificatesThatAreNone)
+{
+    render("a.png");
+    const std::string file = "a.png.certificate.json", good = contentOf(file);
+    put(file, good.substr(0, good.size() / 2));
+    expectRefused({"verify", folder.file("a.png")}, 3, file);
+    put(file, "{}");
+    expectRefused({"verify", folder.file("a.png")}, 3, "format");
+    for (const char* part : {"image", "scene", "sample", "shading", "worst"}) {
+        auto json = nlohmann::json::parse(good);
+        json.erase(part);
+        put(file, json.dump());
+        expectRefused({"verify", folder.file("a.png")}, 3, part);
+    }
+    auto json = nlohmann::json::parse(good);
+    json["scene"]["arguments"].push_back("--no-such-option");
+    put(file, json.dump());
+    expectRefused({"verify", folder.file("a.png")}, 3, "arguments");
+    json = nlohmann::json::parse(good);
+    json["pixels"][0] = "999999 0 0 0 0";
+    put(file, json.dump());
+    expectRefused({"verify", folder.file("a.png")}, 3, "/pixels/0");
+    std::filesystem::remove(folder.file(file));
+    expectRefused({"verify", folder.file("a.png")}, 3, "--certify");
+    expectRefused({"verify", folder.file("none.png")}, 3, "none.png");
+}
+
+TEST_F(Certify, RefusesWhatCannotBeCertified)
+{
+    const auto refused = [&](std::vector<std::string> more, int code, const std::string& why) {
+        std::vector<std::string> arguments = {"render", "--primitive", "sphere", "-r", "16x16"};
+        arguments.insert(arguments.end(), more.begin(), more.end());
+        expectRefused(arguments, code, why);
+    };
+    const std::string out = folder.file("a.exr");
+    for (const char* wrong : {"0", "-5", "15", "1048577", "99999999999999999999", "1.5", "half", "512,"})
+        refused({"-o", out, std::string("--certify=") + wrong}, 2, "--certify");
+    refused({"-o", out, "--certify=transport"}, 2, "does not exist yet");
+    refused({"-o", "-", "--certify"}, 2, "standard output");
+    refused({"-o", out, "--view", "F", "--certify"}, 2, "--view");
+    refused({"-o", out, "--camera-position", "0,0,5", "--target", "0,0,9", "--certify"}, 2, "no surface is seen");
+    EXPECT_TRUE(folder.names().empty());
+}
+
+TEST_F(Certify, AddsThePartOfSampling)
+{
+    render("a.exr", "--certify=32,sampling");
+    const auto json = nlohmann::json::parse(contentOf("a.exr.certificate.json"));
+    EXPECT_GT(json["sampling"]["mean"]["value"].get<double>(), 0.0) << "one sample at a silhouette";
+    EXPECT_EQ(json["not_vouched_for"].dump().find("sampling"), std::string::npos);
+    EXPECT_EQ(verify("a.exr").exitCode, 0);
+}
+
+} // namespace
+} // namespace torrance::test
