@@ -1,0 +1,11 @@
+#pragma once
+
+#include "app/command.h"
+
+namespace torrance {
+
+/// `torrance calibrate SCENE...`: what a frame costs, and how sure that is; what more of something costs; whether
+/// memory grows.
+Command calibrateCommand();
+
+} // namespace torrance
