@@ -41,7 +41,7 @@
       scales: [scaleOf("x", panel.points.flatMap(p => [p.x, p.low || p.x, p.high || p.x]), "width"),
                scaleOf("y", panel.points.map(p => p.y), "height"),
                { name: "color", type: "ordinal", domain: groups, range: groupColors() }],
-      axes: [{ orient: "bottom", scale: "x", title: panel.x, grid: true, tickCount: Math.floor(inner / 90), format: "~g" },
+      axes: [{ orient: "bottom", scale: "x", title: panel.x, grid: true, tickCount: Math.floor(inner / 90), format: ",~r" },
              { orient: "left", scale: "y", title: panel.y, grid: true, format: ".0e", tickCount: 6 }],
       marks: [
         { type: "group", from: { facet: { name: "group", data: "front", groupby: "group" } },

@@ -4,8 +4,7 @@
 
 namespace torrance {
 
-/// `torrance calibrate SCENE...`: what a frame costs, and how sure that is; what more of something costs; whether
-/// memory grows.
+/// `torrance calibrate -o FILE`: the measured table of methods on this device.
 Command calibrateCommand();
 
 } // namespace torrance

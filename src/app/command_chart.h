@@ -4,8 +4,7 @@
 
 namespace torrance {
 
-/// `torrance chart SCENE...`: what a frame costs, and how sure that is; what more of something costs; whether memory
-/// grows.
+/// `torrance chart -o DIR`: every shading method's cost against its error; with a scene, those of whole plans.
 Command chartCommand();
 
 } // namespace torrance

@@ -20,7 +20,7 @@ using brdf::Method;
 /// Of a picture's side: a frame of a GPU must take longer than what starting it takes.
 int costSide(BenchClock clock)
 {
-    return clock == BenchClock::processor ? 256 : 2048;
+    return clock == BenchClock::processor ? 160 : 2048;
 }
 
 // A ball so near that it fills the picture. Half a metal: every term of the shading has something to do.

@@ -84,10 +84,29 @@ public:
 private:
     Image drawScene(const Scene& what, const Settings& settings) const
     {
-        const ShadingPlan plan = makePlan(what, settings);
         Renderer renderer(on.device, on.shaders, on.cacheFolder);
+        if (what.shapes.empty())
+            return drawPart(renderer, what, sphereCamera(grid), settings);
+        Image picture(settings.width, settings.height, 4);
+        const int columns = static_cast<int>(grid.roughnesses.size());
+        Scene one = what; // with its light and materials
+        Settings part = settings;
+        part.width = part.height = kSphereCell;
+        for (int i = 0; i < static_cast<int>(what.shapes.size()); ++i) {
+            one.shapes = {what.shapes[static_cast<std::size_t>(i)]};
+            const int column = i % columns, row = i / columns;
+            const Image cell = drawPart(renderer, one, cellCamera(grid, column, row), part);
+            for (int y = 0; y < kSphereCell; ++y)
+                std::copy_n(cell.at(0, y), 4 * kSphereCell, picture.at(column * kSphereCell, row * kSphereCell + y));
+        }
+        return picture;
+    }
+
+    Image drawPart(Renderer& renderer, const Scene& what, const Camera& camera, const Settings& settings) const
+    {
+        const ShadingPlan plan = makePlan(what, settings);
         const DeviceScene uploaded = renderer.upload(what, plan);
-        return renderer.render(uploaded, sphereCamera(grid), [&](int, int) { options.checkpoint(); }).color;
+        return renderer.render(uploaded, camera, [&](int, int) { options.checkpoint(); }).color;
     }
 
     SphereTruth computed(const MethodTruth& kind) const
@@ -101,18 +120,19 @@ private:
         case TruthKind::walks: {
             Preset once = standard;
             once.multipleScattering = brdf::findMethod(Slot::multipleScattering, "none");
-            return walkTruth(grid, scene, once);
+            return walkTruth(grid, scene, once, options.checkpoint);
         }
         case TruthKind::integral: {
             if (!without)
-                return integralTruth(grid, scene, standard);
+                return integralTruth(grid, scene, standard, SpheresWithLight::all, options.checkpoint);
             constexpr SpheresWithLight kBodies = SpheresWithLight::dielectrics;
-            return difference(integralTruth(grid, scene, standard, kBodies),
-                              integralTruth(grid, *without, standard, kBodies));
+            return difference(integralTruth(grid, scene, standard, kBodies, options.checkpoint),
+                              integralTruth(grid, *without, standard, kBodies, options.checkpoint));
         }
         case TruthKind::albedo: {
             const std::vector<Preset> presets = plannedPresets(scene, sphereSettings(grid, standard));
-            return uniformTruth(grid, scene, [&](std::size_t i) -> const Preset& { return presets[i]; });
+            return uniformTruth(
+                grid, scene, [&](std::size_t i) -> const Preset& { return presets[i]; }, options.checkpoint);
         }
         case TruthKind::supersampled:
             return bySamples(standard);
@@ -125,7 +145,8 @@ private:
     SphereTruth byFormula(const Preset& preset) const
     {
         const std::vector<Preset> presets = plannedPresets(scene, sphereSettings(grid, preset));
-        return lampTruth(grid, scene, [&](std::size_t i) -> const Preset& { return presets[i]; });
+        return lampTruth(
+            grid, scene, [&](std::size_t i) -> const Preset& { return presets[i]; }, options.checkpoint);
     }
 
     SphereTruth byExactFresnel() const
@@ -134,7 +155,8 @@ private:
         for (std::size_t i = 0; i < presets.size(); ++i)
             presets[i].fresnel = brdf::findMethod(
                 Slot::fresnel, scene.materials[i].metallicFactor > 0.0 ? "exact_conductor" : "exact_dielectric");
-        return lampTruth(grid, scene, [&](std::size_t i) -> const Preset& { return presets[i]; });
+        return lampTruth(
+            grid, scene, [&](std::size_t i) -> const Preset& { return presets[i]; }, options.checkpoint);
     }
 
     SphereTruth bySamples(const Preset& standard) const

@@ -188,6 +188,14 @@ Camera sphereCamera(const MethodGrid& grid)
     return camera;
 }
 
+Camera cellCamera(const MethodGrid& grid, int column, int row)
+{
+    Camera camera = sphereCamera(grid);
+    camera.worldFromCamera = movedTo(centerOf(grid, column, row) + dvec3(0.0, 0.0, kCameraDistance));
+    camera.xmag = camera.ymag = 0.5 * kCell;
+    return camera;
+}
+
 Settings sphereSettings(const MethodGrid& grid, const brdf::Preset& methods)
 {
     Settings settings;

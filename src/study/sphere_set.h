@@ -43,6 +43,9 @@ Scene bumpySphereSet(const MethodGrid& grid);
 void addBumps(Scene& scene);
 
 Camera sphereCamera(const MethodGrid& grid);
+/// Of one sphere's square, of kSphereCell pixels a side: an analytic shape is a triangle over the whole picture, and
+/// each is drawn in a picture of its own.
+Camera cellCamera(const MethodGrid& grid, int column, int row);
 /// One sample a pixel, nothing behind.
 Settings sphereSettings(const MethodGrid& grid, const brdf::Preset& methods);
 

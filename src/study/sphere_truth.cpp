@@ -23,12 +23,15 @@ struct Estimated
 };
 
 // Sphere by sphere and ring by ring would be kinder to caches of albedos; rows do.
-SphereTruth computed(const MethodGrid& grid, const std::function<Estimated(const SpherePixel&, std::uint64_t)>& pixel)
+SphereTruth computed(const MethodGrid& grid, const Checkpoint& checkpoint,
+                     const std::function<Estimated(const SpherePixel&, std::uint64_t)>& pixel)
 {
     const Settings size = sphereSettings(grid, {});
     SphereTruth truth = {Image(size.width, size.height, 3), Image(size.width, size.height, 3)};
     parallelFor(static_cast<std::size_t>(size.height), 1, [&](std::size_t row) {
         const int y = static_cast<int>(row);
+        if (checkpoint)
+            checkpoint();
         for (int x = 0; x < size.width; ++x)
             if (const auto seen = spherePixel(grid, x, y)) {
                 const Estimated e = pixel(*seen, row * static_cast<std::size_t>(size.width) + std::size_t(x));
@@ -100,19 +103,21 @@ dvec3 walkLight(const Material& material, const dvec3& normal, std::span<const L
 
 } // namespace
 
-SphereTruth lampTruth(const MethodGrid& grid, const Scene& scene, const MethodsOf& methods)
+SphereTruth lampTruth(const MethodGrid& grid, const Scene& scene, const MethodsOf& methods,
+                      const Checkpoint& checkpoint)
 {
-    return exact(computed(grid, [&](const SpherePixel& pixel, std::uint64_t) {
+    return exact(computed(grid, checkpoint, [&](const SpherePixel& pixel, std::uint64_t) {
         const std::size_t material = sphereMaterial(grid, pixel);
         return Estimated{lampLight(methods(material), scene.materials[material], pixel.normal, scene.lights),
                          dvec3(0.0)};
     }));
 }
 
-SphereTruth walkTruth(const MethodGrid& grid, const Scene& scene, const brdf::Preset& once)
+SphereTruth walkTruth(const MethodGrid& grid, const Scene& scene, const brdf::Preset& once,
+                      const Checkpoint& checkpoint)
 {
     constexpr int kWalks = 64; // of each replicate
-    return computed(grid, [&](const SpherePixel& pixel, std::uint64_t place) {
+    return computed(grid, checkpoint, [&](const SpherePixel& pixel, std::uint64_t place) {
         const Material& material = scene.materials[sphereMaterial(grid, pixel)];
         Replicates sums;
         for (std::uint64_t i = 0; i < kReplicates; ++i) {
@@ -124,9 +129,10 @@ SphereTruth walkTruth(const MethodGrid& grid, const Scene& scene, const brdf::Pr
     });
 }
 
-SphereTruth uniformTruth(const MethodGrid& grid, const Scene& scene, const MethodsOf& methods)
+SphereTruth uniformTruth(const MethodGrid& grid, const Scene& scene, const MethodsOf& methods,
+                         const Checkpoint& checkpoint)
 {
-    return exact(computed(grid, [&](const SpherePixel& pixel, std::uint64_t) {
+    return exact(computed(grid, checkpoint, [&](const SpherePixel& pixel, std::uint64_t) {
         const std::size_t index = sphereMaterial(grid, pixel);
         const Material& material = scene.materials[index];
         MaterialPoint point;
@@ -140,9 +146,9 @@ SphereTruth uniformTruth(const MethodGrid& grid, const Scene& scene, const Metho
 }
 
 SphereTruth integralTruth(const MethodGrid& grid, const Scene& scene, const brdf::Preset& methods,
-                          SpheresWithLight which)
+                          SpheresWithLight which, const Checkpoint& checkpoint)
 {
-    constexpr int kDirections = 256;
+    constexpr int kDirections = 1024;
     const Settings size = sphereSettings(grid, methods);
     ReferenceSettings settings;
     settings.methods = methods;
@@ -152,7 +158,7 @@ SphereTruth integralTruth(const MethodGrid& grid, const Scene& scene, const brdf
     settings.background = dvec4(0.0);
     const Camera camera = sphereCamera(grid);
     const PixelEstimator estimator(scene, camera, settings);
-    return computed(grid, [&](const SpherePixel& pixel, std::uint64_t place) {
+    return computed(grid, checkpoint, [&](const SpherePixel& pixel, std::uint64_t place) {
         if (which == SpheresWithLight::dielectrics && scene.materials[sphereMaterial(grid, pixel)].metallicFactor > 0.0)
             return Estimated{dvec3(0.0), dvec3(0.0)};
         const int width = settings.width, at = static_cast<int>(place);
