@@ -18,6 +18,8 @@
     };
   }
 
+  // Marks name themselves by their index + 1, because Vega takes a tooltip of 0 for none.
+
   // Decades where a range spans some, even steps otherwise.
   function scaleOf(name, values, range, extra) {
     const low = Math.min(...values), high = Math.max(...values), log = high / low > 6;
@@ -56,7 +58,7 @@
             size: { signal: "datum.chosen ? 260 : 110" }, shape: { signal: "datum.chosen ? 'diamond' : 'circle'" },
             fill: [{ test: "datum.front", scale: "color", field: "group" }, { value: style("--grey") }],
             stroke: [{ test: "datum.chosen", value: style("--mark") }, { value: style("--page") }],
-            strokeWidth: { signal: "datum.chosen ? 2.5 : 1" }, cursor: { value: "pointer" }, tooltip: { signal: "datum.index" } } } },
+            strokeWidth: { signal: "datum.chosen ? 2.5 : 1" }, cursor: { value: "pointer" }, tooltip: { signal: "datum.index + 1" } } } },
         { type: "text", interactive: false, from: { data: "dots" },
           encode: { enter: { text: { signal: "datum.datum.label" }, fontSize: { value: width < narrow ? 11 : 12 },
             fill: { signal: "datum.datum.front ? '" + style("--text") + "' : '" + style("--soft") + "'" } } },
@@ -84,7 +86,7 @@
       legends: [{ fill: "color", orient: "none", direction: "horizontal", legendX: 0, legendY: -26, symbolType: "square" }],
       marks: [{ type: "rect", name: "dots", from: { data: "parts" },
                 encode: { update: { x: { scale: "x", field: "y0" }, x2: { scale: "x", field: "y1" }, y: { scale: "y", field: "label" },
-                  height: { scale: "y", band: 1 }, fill: { scale: "color", field: "group" }, tooltip: { signal: "datum.index" } } } }]
+                  height: { scale: "y", band: 1 }, fill: { scale: "color", field: "group" }, tooltip: { signal: "datum.index + 1" } } } }]
     };
   }
 
@@ -125,7 +127,7 @@
       const spec = (panel.kind === "bars" ? barSpec : frontSpec)(panel, place.clientWidth);
       const view = new vega.View(vega.parse(spec), { renderer: "svg", container: place, hover: true });
       view.tooltip((handler, event, item, value) =>
-        value === null || value === undefined || value === "" ? hide() : show(panel.points[value], event));
+        value ? show(panel.points[value - 1], event) : hide());
       view.run();
       return view;
     });

@@ -84,7 +84,7 @@ def main():
     with tempfile.TemporaryDirectory() as name:
         folder = pathlib.Path(name)
         for options in (["--slot", "tone,transfer"],
-                        ["--primitive", "sphere", "-r", "16x16", "-e", "none", "--light", "directional:intensity=3"]):
+                        ["--primitive", "sphere", "-r", "16x16", "-e", "none", "--light", "directional:direction=-0.3,-1,-1,intensity=3"]):
             subprocess.run([torrance, "chart", "-o", name, "--seconds", "0", "--quiet", *options], check=True)
         if not (folder / "methods.html").exists():
             print("skipped: Torrance was built without Vega")
