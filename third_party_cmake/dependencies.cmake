@@ -31,6 +31,10 @@ pkg_check_modules(libwebp REQUIRED IMPORTED_TARGET libwebp>=1.2) # debian: libwe
 # Optional, Debian package libopenimageio-dev: TIFF, TGA, PSD and the like for `compare` and environments. It brings 261 libraries.
 find_package(OpenImageIO 2.4 CONFIG QUIET)
 
+# Charts in HTML. Without it `torrance chart` writes SVG, CSV and JSON only.
+find_path(VEGA_FOLDER vega-view.min.js PATHS /usr/share/javascript/vega) # debian: libjs-vega
+mark_as_advanced(VEGA_FOLDER)
+
 # Rays on the processor
 find_package(embree 3.13 REQUIRED)                            # debian: libembree-dev libtbb-dev
 

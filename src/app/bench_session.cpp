@@ -1,12 +1,11 @@
 #include "app/bench_session.h"
 
 #include "app/device_option.h"
+#include "app/today.h"
 #include "app/version.h"
 #include "core/atomic_write.h"
 #include "core/data_folder.h"
 #include "core/standard_output.h"
-
-#include <ctime>
 
 namespace torrance {
 namespace {
@@ -18,14 +17,6 @@ auto timedPhase(std::vector<PhaseTime>& phases, const char* name, Work&& work)
     auto result = work();
     phases.push_back({name, timeUse() - start});
     return result;
-}
-
-std::string today()
-{
-    const std::time_t now = std::time(nullptr);
-    char text[16];
-    std::strftime(text, sizeof text, "%F", std::gmtime(&now));
-    return text;
 }
 
 } // namespace

@@ -1,6 +1,8 @@
 #include "app/commands.h"
 
 #include "app/command_bench.h"
+#include "app/command_calibrate.h"
+#include "app/command_chart.h"
 #include "app/command_compare.h"
 #include "app/command_conform.h"
 #include "app/command_devices.h"
@@ -17,8 +19,9 @@ namespace torrance {
 
 std::vector<Command> allCommands()
 {
-    return {renderCommand(), referenceCommand(), inspectCommand(),   compareCommand(), methodsCommand(), probeCommand(),
-            benchCommand(),  conformCommand(),   stabilityCommand(), verifyCommand(),  devicesCommand(), warmCommand()};
+    return {renderCommand(),    referenceCommand(), inspectCommand(), compareCommand(),   methodsCommand(),
+            probeCommand(),     benchCommand(),     chartCommand(),   calibrateCommand(), conformCommand(),
+            stabilityCommand(), verifyCommand(),    devicesCommand(), warmCommand()};
 }
 
 } // namespace torrance

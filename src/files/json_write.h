@@ -29,7 +29,8 @@ struct Json
     Json(Object v) : value(std::move(v)) {}
 };
 
-/// Two spaces of indentation, shortest digits that read back to the same double, UTF-8, ending in a line break.
+/// Two spaces of indentation, arrays of numbers in one line, shortest digits that read back to the same double, UTF-8,
+/// ending in a line break.
 std::string jsonText(const Json& json);
 
 /// To a file, whole or not at all, or to standard output where `file` is "-". Nothing where `file` is empty.

@@ -1,0 +1,21 @@
+// The exact light of the surfaces that a device found under its pixels' centres: what shading error is measured
+// against. Textures and triangles are the device's own, so that what filtering does to them is no error of shading.
+#pragma once
+
+#include "passes/renderer.h"
+
+namespace torrance {
+
+struct SurfaceTruth
+{
+    Image color;               // RGB, scene-linear; 0 where nothing counts
+    Image variance;            // of the mean
+    std::vector<bool> counted; // row by row: pixels with a surface that is not blended
+};
+
+/// `picture` was drawn with Settings::layers. Light from all around and from lights with a radius by `directions` each,
+/// a multiple of 64. `checkpoint` is called by any thread, and may not throw: true ends the work early.
+SurfaceTruth surfaceTruth(const Scene& scene, const Camera& camera, const brdf::Preset& methods, const Picture& picture,
+                          int directions, const std::function<bool()>& stop);
+
+} // namespace torrance
