@@ -5,6 +5,7 @@
 #include "core/parallel.h"
 #include "measure/image_metrics.h"
 #include "plan/level_plan.h"
+#include "plan/pixel_sampling_plan.h"
 #include "study/error_numbers.h"
 
 #include <algorithm>
@@ -181,6 +182,9 @@ void requireCertifiable(const Scene& scene, const Settings& settings)
 {
     if (settings.view)
         throw usageError("--certify is of a picture, and --view draws a term of it", "leave one of them out");
+    if (shadesOncePerPixel(settings))
+        throw usageError("--certify compares what is shaded, and --pixel-sampling reconstructed mixes pixels at edges",
+                         "certify --samples 1, which shades the same");
     brdf::requireWholeBrdf(settings.methods);
     if (settings.methods.model->id == "phong" && scene.environment)
         throw usageError("--certify: the preset " + std::string(settings.methods.id) +

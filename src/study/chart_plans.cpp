@@ -7,6 +7,7 @@
 #include "math/replicates.h"
 #include "measure/image_metrics.h"
 #include "measure/pareto.h"
+#include "plan/pixel_sampling_plan.h"
 #include "study/base64.h"
 #include "study/error_picture.h"
 #include "study/slot_trial.h"
@@ -71,6 +72,12 @@ void addNumbers(std::vector<PlanVariant>& variants, const Scene& scene, const Se
         settings.samples = samples;
         variants.push_back({fmt::format("{} samples", samples), "samples", settings, 0});
     }
+    if (scene.shapes.empty()) {
+        Settings settings = base;
+        settings.samples = 4;
+        settings.methods[Slot::pixelSampling] = brdf::findMethod(Slot::pixelSampling, "reconstructed");
+        variants.push_back({"4 samples, reconstructed", "samples", settings, 0});
+    }
     constexpr int kLeastWidth = 64;
     if (scene.environment)
         for (int width = scene.environment->radiance.width / 2, i = 0; width >= kLeastWidth && i < 3; width /= 2, ++i)
@@ -122,7 +129,7 @@ struct Drawn
     TimeUse frame(const Camera& camera)
     {
         const TimeUse start = timeUse();
-        if (settings.samples == 1) {
+        if (pictureCount(settings) == 1) {
             renderer.drawFrame(*uploaded, camera);
             return timeUse() - start;
         }
@@ -131,12 +138,19 @@ struct Drawn
         return end - start;
     }
 
-    Image picture(const Camera& camera, int samples, const std::function<void()>& checkpoint)
+    /// Every sample shaded.
+    Image supersampled(const Camera& camera, int samples, const std::function<void()>& checkpoint)
     {
         plan.settings.samples = samples;
-        const Image color = renderer.render(*uploaded, camera, [&](int, int) { checkpoint(); }).color;
-        plan.settings.samples = settings.samples;
+        plan.settings.methods.pixelSampling = brdf::findMethod(Slot::pixelSampling, "supersampled");
+        Image color = picture(camera, checkpoint);
+        plan.settings = settings;
         return color;
+    }
+
+    Image picture(const Camera& camera, const std::function<void()>& checkpoint)
+    {
+        return renderer.render(*uploaded, camera, [&](int, int) { checkpoint(); }).color;
     }
 
     Scene scene;
@@ -315,9 +329,9 @@ PlanResult measurePlan(const TrialDevice& on, const Scene& scene, const Camera& 
     const std::vector<FrameTimes> times = timeFrames(draws, bounds, on.clock());
     const std::vector<double>&baseTimes = times[0].of(on.clock()), &ownTimes = times[1].of(on.clock());
     const Estimate ratio = estimatePairedRatio(baseTimes, ownTimes);
-    const Image one = drawn.picture(camera, 1, checkpoint);
-    const Image many = drawn.picture(camera, kManyPlanSamples, checkpoint);
-    const Image own = variant.settings.samples == 1 ? one : drawn.picture(camera, variant.settings.samples, checkpoint);
+    const Image one = drawn.supersampled(camera, 1, checkpoint);
+    const Image many = drawn.supersampled(camera, kManyPlanSamples, checkpoint);
+    const Image own = variant.settings.samples == 1 ? one : drawn.picture(camera, checkpoint);
     Image pixels(one.width, one.height, 1);
     PlanResult result = {.name = variant.name,
                          .kind = variant.kind,

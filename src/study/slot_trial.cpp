@@ -76,6 +76,7 @@ TrialScene trialScene(Slot slot)
     case Slot::tone:
     case Slot::transfer:
         return TrialScene::picture;
+    case Slot::pixelSampling:
     case Slot::sheen:
         break;
     }
@@ -97,6 +98,7 @@ MethodTruth truthOf(const Method& method)
     case Slot::dfg:
         return {TruthKind::albedo, nullptr, "the albedo's integral"};
     case Slot::specularAntialiasing:
+    case Slot::pixelSampling:
         return {TruthKind::supersampled, nullptr, "256 samples a pixel"};
     default:
         return formulaTruth(method);
@@ -107,6 +109,8 @@ std::string whyNotDrawn(const Method& method)
 {
     if (method.slot == Slot::sheen)
         return "no material is drawn with it yet";
+    if (method.slot == Slot::pixelSampling)
+        return "is about edges, which are not judged on spheres: torrance chart SCENE draws it";
     if (method.needs != brdf::Interface::reflectance)
         return "needs an index of refraction that a base colour does not give: a truth, and not drawn";
     if (!method.ownModel.empty())

@@ -166,6 +166,9 @@ TEST_F(Certify, RefusesWhatCannotBeCertified)
     refused({"-o", "-", "--certify"}, 2, "standard output");
     refused({"-o", out, "--view", "F", "--certify"}, 2, "--view");
     refused({"-o", out, "--camera-position", "0,0,5", "--target", "0,0,9", "--certify"}, 2, "no surface is seen");
+    expectRefused({"render", "demo", "-r", "16x16", "-o", out, "--samples", "4", "--pixel-sampling", "reconstructed",
+                   "--certify"},
+                  2, "--samples 1");
     EXPECT_TRUE(folder.names().empty());
 }
 
