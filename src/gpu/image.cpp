@@ -32,9 +32,9 @@ bool isSampledColor(vk::ImageUsageFlags usage)
     return (usage & vk::ImageUsageFlagBits::eSampled) && (usage & vk::ImageUsageFlagBits::eColorAttachment);
 }
 
-std::uint32_t sideInMemory(std::uint32_t side, vk::ImageUsageFlags usage)
+std::uint32_t sideInMemory(std::uint32_t side, vk::ImageUsageFlags usage, std::uint32_t limit)
 {
-    return isSampledColor(usage) && std::has_single_bit(side) ? side + 1 : side;
+    return isSampledColor(usage) && std::has_single_bit(side) && side < limit ? side + 1 : side;
 }
 
 } // namespace
@@ -60,7 +60,8 @@ vk::ImageAspectFlags DeviceImage::aspect() const
 DeviceImage makeImage(const Device& device, const ImageShape& shape, vk::ImageUsageFlags usage, std::string_view name,
                       ImageTiling tiling)
 {
-    if (const std::uint32_t limit = device.limits.maxImageDimension2D; shape.width > limit || shape.height > limit)
+    const std::uint32_t limit = device.limits.maxImageDimension2D;
+    if (shape.width > limit || shape.height > limit)
         throw usageError(std::to_string(shape.width) + "x" + std::to_string(shape.height) + " is more than " +
                              device.description.name + " can hold (" + std::to_string(limit) + " a side)",
                          "choose a smaller size");
@@ -69,7 +70,7 @@ DeviceImage makeImage(const Device& device, const ImageShape& shape, vk::ImageUs
         .flags = shape.cube ? vk::ImageCreateFlagBits::eCubeCompatible : vk::ImageCreateFlags{},
         .imageType = vk::ImageType::e2D,
         .format = shape.format,
-        .extent = {sideInMemory(shape.width, usage), sideInMemory(shape.height, usage), 1},
+        .extent = {sideInMemory(shape.width, usage, limit), sideInMemory(shape.height, usage, limit), 1},
         .mipLevels = shape.mips,
         .arrayLayers = shape.layers,
         .samples = shape.samples,
