@@ -20,8 +20,8 @@ std::vector<std::size_t> paretoFront(std::span<const CostAndError> points)
     for (const std::size_t i : order) {
         const bool first = front.empty();
         const bool better = first || points[i].error < points[front.back()].error;
-        const bool alike = !first && points[i].error == points[front.back()].error &&
-                           points[i].cost == points[front.back()].cost;
+        const bool alike =
+            !first && points[i].error == points[front.back()].error && points[i].cost == points[front.back()].cost;
         if (better || alike)
             front.push_back(i);
     }

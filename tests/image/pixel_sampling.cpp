@@ -129,7 +129,7 @@ std::optional<brdf::PixelQuery> queryOf(const Squares& s, const Camera& c, const
     for (int i = 0; i < 9; ++i)
         query.colors[static_cast<std::size_t>(i)] = pixelOf(once, x + i % 3 - 1, y + i / 3 - 1);
     const bool orthographic = c.kind == Camera::Kind::orthographic;
-    const double pixel = orthographic ? 2.0 * c.ymag / kSize : 2.0 * std::tan(0.5 * c.yfov) / kSize;
+    const double pixel = orthographic ? 2.0 * c.ymag / kSize : 2.0 * std::tan(0.5 * c.verticalFov) / kSize;
     const dmat4 projection = projectionMatrix(c, 1.0);
     query.widthInDepth = [=](double z) {
         // z = (-P22 d + P32) / w, w = 1 or d: a pixel's width further, less depth.
@@ -184,8 +184,9 @@ TEST(PixelSampling, InsideOfSurfacesThePictureIsThatOfOneSample)
                 most = std::max(most, alpha);
             }
             covered += least == 1.0;
-            if (least == most)
+            if (least == most) {
                 EXPECT_EQ(pixelOf(drawn, x, y), pixelOf(once, x, y)) << x << ' ' << y;
+            }
         }
     EXPECT_GT(covered, 300);
 }
