@@ -11,36 +11,41 @@
 #include "material/aa_toksvig.glsl"
 #endif
 
-layout(location = 0) in vec3 inPosition;
+#ifdef AT_SAMPLES
+#define INPUT sample in
+#else
+#define INPUT in
+#endif
+layout(location = 0) INPUT vec3 inPosition;
 #ifdef NORMALS
-layout(location = 1) in vec3 inNormal;
+layout(location = 1) INPUT vec3 inNormal;
 #endif
 #ifdef TANGENTS
-layout(location = 2) in vec4 inTangent;
+layout(location = 2) INPUT vec4 inTangent;
 #endif
 #ifdef UV0
-layout(location = 3) in vec2 inUv0;
+layout(location = 3) INPUT vec2 inUv0;
 #endif
 #ifdef UV1
-layout(location = 4) in vec2 inUv1;
+layout(location = 4) INPUT vec2 inUv1;
 #endif
 #ifdef COLORS
-layout(location = 5) in vec4 inColor;
+layout(location = 5) INPUT vec4 inColor;
 #endif
 #ifdef BASE_COLOR_UV_SOURCE
-layout(location = 7) in vec2 inBaseColorUv;
+layout(location = 7) INPUT vec2 inBaseColorUv;
 #endif
 #ifdef MATERIAL_UV_SOURCE
-layout(location = 8) in vec2 inMaterialUv;
+layout(location = 8) INPUT vec2 inMaterialUv;
 #endif
 #ifdef NORMAL_UV_SOURCE
-layout(location = 9) in vec2 inNormalUv;
+layout(location = 9) INPUT vec2 inNormalUv;
 #endif
 #ifdef OCCLUSION_UV_SOURCE
-layout(location = 10) in vec2 inOcclusionUv;
+layout(location = 10) INPUT vec2 inOcclusionUv;
 #endif
 #ifdef EMISSIVE_UV_SOURCE
-layout(location = 11) in vec2 inEmissiveUv;
+layout(location = 11) INPUT vec2 inEmissiveUv;
 #endif
 
 Texels readTexels()

@@ -229,9 +229,11 @@ const gpu::Pipeline& SurfacePipelines::get(const ShadingPlan& plan, const Batch&
 {
     const ShaderKey& key = batch.key;
     const bool plainDepth = isPlainDepth(key, output);
-    const std::string selected = plainDepth                            ? ""
-                                 : output == SurfaceOutput::attributes ? attributesText(plan, batch)
-                                                                       : selectedText(plan, key);
+    std::string selected = plainDepth                            ? ""
+                           : output == SurfaceOutput::attributes ? attributesText(plan, batch)
+                                                                 : selectedText(plan, key);
+    if (output == SurfaceOutput::sampleDepth && !plainDepth)
+        selected += "#define AT_SAMPLES\n"; // inputs are those of the sample, not of the pixel's centre
     const OutputForm form = formOf(plan, key, output);
     const gpu::PipelineDescription description = describePipeline(plan, key, output, form);
     std::string identity = selected + form.fragment + vk::to_string(description.topology) +
