@@ -14,7 +14,8 @@ stray=$(find . -type f -not -path './bin/torrance' -not -path './lib/*torrance/t
     -not -path './share/torrance/shaders/*.vert' -not -path './share/torrance/shaders/*.frag' \
     -not -path './share/torrance/assets/demo/demo.gltf' -not -path './share/torrance/assets/demo/demo.bin' \
     -not -path './share/torrance/dfg_*.bin' -not -path './share/torrance/assets/demo/*.png' -not -path './share/torrance/assets/environments/*.hdr' \
-    -not -path './share/torrance/assets/maps/*.png')
+    -not -path './share/torrance/assets/maps/*.png' -not -path './share/torrance/methods.measured.json' \
+    -not -path './share/torrance/chart/page.js' -not -path './share/torrance/chart/page.css' -not -path './share/torrance/chart/vega.js')
 [[ -z $stray ]] || { echo "installed, but nobody needs it: $stray"; exit 1; }
 
 mkdir ../elsewhere
