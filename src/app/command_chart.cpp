@@ -5,6 +5,7 @@
 #include "app/chart_session.h"
 #include "app/device_option.h"
 #include "app/option_value.h"
+#include "app/output_folder.h"
 #include "core/atomic_write.h"
 #include "core/data_folder.h"
 #include "core/error.h"
@@ -69,15 +70,6 @@ std::vector<brdf::Slot> chosenSlots(const std::string& names)
             slots.push_back(*slot);
     }
     return slots;
-}
-
-fs::path madeFolder(const std::string& name)
-{
-    std::error_code failure;
-    fs::create_directories(name, failure);
-    if (!fs::is_directory(name))
-        throw writeError(name, failure ? failure.message() : "is not a folder", "choose another folder");
-    return name;
 }
 
 MethodChart chartOfTable(const Options& options, const GlobalOptions& global)

@@ -2,6 +2,7 @@
 
 #include "app/device_option.h"
 #include "app/option_value.h"
+#include "app/output_folder.h"
 #include "app/progress_line.h"
 #include "app/stability_scene.h"
 #include "core/atomic_write.h"
@@ -142,15 +143,6 @@ Json toJson(const MethodVerdict& verdict)
                         {"gains_energy", toJson(verdict.gainsEnergy)},
                         {"reciprocity_error", verdict.reciprocity},
                         {"verdict", std::move(lines)}};
-}
-
-fs::path madeFolder(const std::string& name)
-{
-    std::error_code failure;
-    fs::create_directories(name, failure);
-    if (!fs::is_directory(name))
-        throw writeError(name, failure ? failure.message() : "is not a folder", "choose another folder");
-    return name;
 }
 
 void writeEntry(const fs::path& folder, const AtlasEntry& entry)

@@ -13,6 +13,12 @@ namespace {
 constexpr int kMaxSamples = 4096;
 constexpr int kMaxDirections = 65536; // seconds per picture of a thumbnail
 
+bool isReconstructed(const FrameOptions& o)
+{
+    const auto chosen = o.methods.overrides.find(brdf::Slot::pixelSampling);
+    return chosen != o.methods.overrides.end() && chosen->second == "reconstructed";
+}
+
 // Counted are the targets (colour, sum, depth, layers, G-buffer), each ordinary memory on a software driver, one copy
 // for reading back and one for writing.
 double bytesPerPixel(const FrameOptions& o, bool layers)
@@ -21,7 +27,7 @@ double bytesPerPixel(const FrameOptions& o, bool layers)
                                 (o.path == "deferred"                         ? double(kGBufferTargets)
                                  : o.path == "attributes" || o.path == "auto" ? 2.0
                                                                               : 0.0);
-    return 16.0 * (colorTargets + 2.0) + 4.0;
+    return 16.0 * (colorTargets + 2.0) + 4.0 + (isReconstructed(o) ? 4.0 * 5.0 : 0.0); // depth of samples, and edges
 }
 
 std::optional<RenderPath> pathOf(const std::string& name)

@@ -1,5 +1,7 @@
 #include "measure/image_metrics.h"
 
+#include "math/norm.h"
+
 #include <cassert>
 #include <cmath>
 #include <limits>
@@ -25,27 +27,11 @@ bool isFinite(const float* texel, int channels)
     return true;
 }
 
-double norm(const float* texel, int channels)
-{
-    double sum = 0.0;
-    for (int channel = 0; channel < channels; ++channel)
-        sum += std::abs(static_cast<double>(texel[channel]));
-    return sum;
-}
-
-double distance(const float* a, const float* b, int channels)
-{
-    double sum = 0.0;
-    for (int channel = 0; channel < channels; ++channel)
-        sum += std::abs(static_cast<double>(a[channel]) - b[channel]);
-    return sum;
-}
-
 void addPixel(const float* reference, const float* test, int channels, Sums& sums)
 {
     ++sums.pixels;
-    sums.difference += distance(reference, test, channels);
-    sums.reference += norm(reference, channels);
+    sums.difference += distance1(reference, test, channels);
+    sums.reference += norm1(reference, channels);
     for (int channel = 0; channel < channels; ++channel) {
         const double r = reference[channel], t = test[channel], d = t - r;
         sums.square += d * d;
@@ -77,8 +63,8 @@ WorstPixel worstPixel(const Image& reference, const Image& test, double meanNorm
 {
     WorstPixel worst;
     forFinitePixels(reference, test, [&](int x, int y, const float* r, const float* t) {
-        const double scale = meanNorm > 0.0 ? norm(r, reference.channels) + kPixelFloor * meanNorm : 1.0;
-        const double error = distance(r, t, reference.channels) / scale;
+        const double scale = meanNorm > 0.0 ? norm1(r, reference.channels) + kPixelFloor * meanNorm : 1.0;
+        const double error = distance1(r, t, reference.channels) / scale;
         if (error > worst.error)
             worst = {.x = x, .y = y, .error = error};
     });

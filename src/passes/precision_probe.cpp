@@ -4,6 +4,7 @@
 #include "gpu/guard.h"
 #include "gpu/retype_shader.h"
 #include "math/half.h"
+#include "passes/fullscreen.h"
 #include "passes/probe_row.h"
 #include "passes/targets.h"
 #include "shaders/shared/bindings.h"
@@ -89,9 +90,7 @@ std::vector<dvec3> draw(const gpu::Device& device, const PrecisionProbe& probe,
     beginRendering(commands, targets, nullptr, kClearToNothing, LoadTarget::clear);
     gpu::Bindings bindings;
     bindings.set(shared::kBindProbeRows, table);
-    commands.buffer.bindPipeline(vk::PipelineBindPoint::eGraphics, *probe.pipeline.handle);
-    bindings.push(commands.buffer, probe.pipeline);
-    commands.buffer.draw(3, 1, 0, 0);
+    drawFullscreen(commands, probe.pipeline, bindings);
     commands.buffer.endRendering();
     commands.submitAndWait();
 

@@ -5,6 +5,7 @@
 #include "gpu/guard.h"
 #include "gpu/pipeline.h"
 #include "passes/dfg_upload.h"
+#include "passes/fullscreen.h"
 #include "passes/probe_row.h"
 #include "passes/sampler.h"
 #include "passes/targets.h"
@@ -55,9 +56,7 @@ Image draw(const gpu::Device& device, const gpu::Pipeline& pipeline, const std::
     bindings.set(shared::kBindProbeRows, table);
     if (albedos)
         bindings.set(shared::kBindDfg, albedos->image, albedos->sampler);
-    commands.buffer.bindPipeline(vk::PipelineBindPoint::eGraphics, *pipeline.handle);
-    bindings.push(commands.buffer, pipeline);
-    commands.buffer.draw(3, 1, 0, 0);
+    drawFullscreen(commands, pipeline, bindings);
     commands.buffer.endRendering();
     commands.submitAndWait();
     return readBack(device, target);

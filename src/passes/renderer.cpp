@@ -7,6 +7,7 @@
 #include "passes/deferred_pass.h"
 #include "passes/frame_data.h"
 #include "passes/frame_inputs.h"
+#include "passes/fullscreen.h"
 #include "passes/layers.h"
 #include "passes/sampler.h"
 #include "passes/targets.h"
@@ -35,17 +36,6 @@ vk::Rect2D rectangleOf(const PixelBox& box)
 {
     const ivec2 size = box.beyond - box.first;
     return {{box.first.x, box.first.y}, {static_cast<std::uint32_t>(size.x), static_cast<std::uint32_t>(size.y)}};
-}
-
-// Where opaque surfaces may be seen.
-PixelBox surfaceArea(const FrameInputs& frame)
-{
-    const Settings& settings = frame.scene.plan.settings;
-    PixelBox area;
-    for (const Batch& batch : frame.scene.plan.batches)
-        for (const Draw& draw : batch.draws)
-            area.include(pixelBoxOf(frame.camera, settings.width, settings.height, draw.bounds));
-    return area;
 }
 
 // Whether the attributes path leaves something to be shaded as it is drawn.
@@ -114,10 +104,7 @@ void Renderer::drawBackground(gpu::Commands& commands, const FrameInputs& frame)
                                                    .colorFormats = {kColorFormat},
                                                    .depthFormat = attributes ? kDepthStencilFormat : kDepthFormat,
                                                    .depth = gpu::DepthUse::equal});
-    commands.buffer.setCullMode(vk::CullModeFlagBits::eNone);
-    commands.buffer.bindPipeline(vk::PipelineBindPoint::eGraphics, *pipeline.handle);
-    frame.bindings.push(commands.buffer, pipeline);
-    commands.buffer.draw(3, 1, 0, 0);
+    drawFullscreen(commands, pipeline, frame.bindings);
 }
 
 FrameInputs Renderer::inputsOf(const DeviceScene& scene, const Camera& camera, const dvec2& offset, int picture)
@@ -136,18 +123,15 @@ void Renderer::prepareTargets(const ShadingPlan& plan)
         targets.height = settings.height;
         targets.color = makeColorTarget(device, settings.width, settings.height, "color");
     }
-    if (shadesOncePerPixel(settings) && !targets.sampleDepth) {
-        targets.sampleDepth = makeSampleDepthTarget(device, settings.width, settings.height);
-        targets.edges = makeDepthTarget(device, settings.width, settings.height);
-        targets.reconstructed = makeColorTarget(device, settings.width, settings.height, "reconstructed");
-    }
+    if (shadesOncePerPixel(settings) && !targets.edges)
+        targets.edges = makeEdgeTargets(device, settings.width, settings.height);
     const bool attributes = plan.path == RenderPath::attributes;
     if (plan.path == RenderPath::deferred && targets.gbuffer.empty())
         targets.gbuffer = makeGBuffer(device, settings.width, settings.height);
     if (attributes && (!targets.attributes || targets.attributes->pictures.size() < pictures))
         targets.attributes = makeAttributeTargets(device, settings.width, settings.height, pictures);
     if ((!attributes || settings.layers) && !targets.depth)
-        targets.depth = makeDepthTarget(device, settings.width, settings.height);
+        targets.depth = makeDepthTarget(device, settings.width, settings.height, "depth");
 }
 
 void Renderer::drawBatches(gpu::Commands& commands, const FrameInputs& frame, SurfaceOutput output)
@@ -186,10 +170,7 @@ void Renderer::drawLighting(gpu::Commands& commands, const FrameInputs& frame)
     bindGBuffer(bindings, targets.gbuffer, pointSampler);
     for (std::size_t i = 0; i < plan.lightingClasses.size(); ++i) {
         const LightingForm form = lightingForm(plan, i);
-        const gpu::Pipeline& pipeline = imagePipeline("passes/lighting.frag", form.selected, form.description);
-        commands.buffer.bindPipeline(vk::PipelineBindPoint::eGraphics, *pipeline.handle);
-        bindings.push(commands.buffer, pipeline);
-        commands.buffer.draw(3, 1, 0, 0);
+        drawFullscreen(commands, imagePipeline("passes/lighting.frag", form.selected, form.description), bindings);
     }
 }
 
@@ -221,12 +202,10 @@ void Renderer::resolveAttributes(gpu::Commands& commands, const FrameInputs& fra
         if (areas[i].empty())
             continue;
         const ResolveForm form = resolveForm(plan, plan.classes[i]);
-        const gpu::Pipeline& pipeline = imagePipeline("passes/resolve.frag", form.selected, form.description);
-        commands.buffer.bindPipeline(vk::PipelineBindPoint::eGraphics, *pipeline.handle);
         commands.buffer.setStencilReference(vk::StencilFaceFlagBits::eFrontAndBack, static_cast<std::uint32_t>(i + 1));
-        resolveBindings(frame, i, *targets.attributes, pointSampler).push(commands.buffer, pipeline);
         commands.buffer.setScissor(0, rectangleOf(areas[i])); // outside, even the test of the stencil costs
-        commands.buffer.draw(3, 1, 0, 0);
+        drawFullscreen(commands, imagePipeline("passes/resolve.frag", form.selected, form.description),
+                       resolveBindings(frame, i, *targets.attributes, pointSampler));
     }
     commands.buffer.setScissor(0, vk::Rect2D{{0, 0}, {targets.color.shape.width, targets.color.shape.height}});
     drawBackground(commands, frame);
@@ -281,50 +260,32 @@ void Renderer::drawSurfaces(gpu::Commands& commands, const FrameInputs& frame)
 
 void Renderer::drawSampleDepth(gpu::Commands& commands, const FrameInputs& frame)
 {
-    beginRendering(commands, {}, &*targets.sampleDepth, {}, LoadTarget::clear);
+    beginRendering(commands, {}, &targets.edges->sampleDepth, {}, LoadTarget::clear);
     drawBatches(commands, frame, SurfaceOutput::sampleDepth);
     commands.buffer.endRendering();
 }
 
-void Renderer::drawImage(gpu::Commands& commands, const gpu::Pipeline& pipeline, const gpu::Bindings& bindings)
-{
-    commands.buffer.bindPipeline(vk::PipelineBindPoint::eGraphics, *pipeline.handle);
-    bindings.push(commands.buffer, pipeline);
-    commands.buffer.draw(3, 1, 0, 0);
-}
-
 void Renderer::reconstruct(gpu::Commands& commands, const FrameInputs& frame)
 {
-    gpu::copyImage(commands, targets.color, *targets.reconstructed);
+    const EdgeTargets& edges = *targets.edges;
+    gpu::copyImage(commands, targets.color, edges.result);
     const PixelBox area = surfaceArea(frame);
     if (area.empty())
         return; // no surface, no edge
     const bool attributes = frame.scene.plan.path == RenderPath::attributes;
     const gpu::DeviceImage& depth = attributes ? targets.attributes->depth : *targets.depth;
-    gpu::Bindings bindings = frame.bindings;
-    bindings.set(shared::kBindSource, targets.color, pointSampler);
-    bindings.set(shared::kBindDepth, depth, pointSampler);
-    bindings.set(shared::kBindSampleDepth, *targets.sampleDepth, pointSampler);
+    const gpu::Bindings bindings = edgeBindings(frame, targets.color, depth, edges, pointSampler);
     commands.use({gpu::use(targets.color, gpu::Access::sampled),
                   gpu::use(depth, attributes ? gpu::Access::depthTest : gpu::Access::sampled),
-                  gpu::use(*targets.sampleDepth, gpu::Access::sampled)});
-    beginRendering(commands, {}, &*targets.edges, kKeep, LoadTarget::clear);
+                  gpu::use(edges.sampleDepth, gpu::Access::sampled)});
+    beginRendering(commands, {}, &edges.edges, kKeep, LoadTarget::clear);
     commands.buffer.setScissor(0, rectangleOf(area));
-    drawImage(commands,
-              imagePipeline("passes/edges.frag", "",
-                            {.name = "edges", .depthFormat = kDepthFormat, .depth = gpu::DepthUse::testAndWrite}),
-              bindings);
+    drawFullscreen(commands, imagePipeline("passes/edges.frag", "", edgesDescription()), bindings);
     commands.buffer.endRendering();
-    const std::array colors = {&*targets.reconstructed};
-    beginRendering(commands, colors, &*targets.edges, kKeep, LoadTarget::keep);
+    const std::array colors = {&edges.result};
+    beginRendering(commands, colors, &edges.edges, kKeep, LoadTarget::keep);
     commands.buffer.setScissor(0, rectangleOf(area));
-    drawImage(commands,
-              imagePipeline("passes/reconstruct.frag", "",
-                            {.name = "reconstruction",
-                             .colorFormats = {kColorFormat},
-                             .depthFormat = kDepthFormat,
-                             .depth = gpu::DepthUse::equal}),
-              bindings);
+    drawFullscreen(commands, imagePipeline("passes/reconstruct.frag", "", reconstructionDescription()), bindings);
     commands.buffer.endRendering();
 }
 
@@ -388,11 +349,9 @@ void Renderer::accumulate(const gpu::DeviceImage& sum, int index, int count)
     commands.use({gpu::use(targets.color, gpu::Access::sampled)});
     const std::array sums = {&sum};
     beginRendering(commands, sums, nullptr, index == 0 ? kClearToNothing : kKeep, LoadTarget::clear);
-    commands.buffer.bindPipeline(vk::PipelineBindPoint::eGraphics, *pipeline.handle);
-    bindings.push(commands.buffer, pipeline);
     const float weight = 1.0f / static_cast<float>(count);
     commands.buffer.setBlendConstants(std::array{weight, weight, weight, weight}.data());
-    commands.buffer.draw(3, 1, 0, 0);
+    drawFullscreen(commands, pipeline, bindings);
     commands.buffer.endRendering();
     commands.submitAndWait();
 }
@@ -439,7 +398,7 @@ Picture Renderer::render(const DeviceScene& scene, const Camera& camera, const s
                 progress(i + 1, count);
         }
         const gpu::DeviceImage& result = sum                            ? *sum
-                                         : shadesOncePerPixel(settings) ? *targets.reconstructed
+                                         : shadesOncePerPixel(settings) ? targets.edges->result
                                                                         : targets.color;
         Picture picture = {.color = readBack(device, result), .layers = {}};
         if (settings.layers)

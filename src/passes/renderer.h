@@ -6,6 +6,7 @@
 #include "image/image.h"
 #include "passes/attribute_pass.h"
 #include "passes/device_scene.h"
+#include "passes/edge_pass.h"
 #include "passes/frame_inputs.h"
 #include "passes/surface_pass.h"
 #include "plan/shading_plan.h"
@@ -67,8 +68,7 @@ private:
         int height = 0;
         gpu::DeviceImage color;
         std::optional<gpu::DeviceImage> depth;
-        // Where pixels are shaded once: what their samples see, which of them are edges, and the result.
-        std::optional<gpu::DeviceImage> sampleDepth, edges, reconstructed;
+        std::optional<EdgeTargets> edges;           // where pixels are shaded once
         std::vector<gpu::DeviceImage> gbuffer;      // of the deferred path
         std::optional<AttributeTargets> attributes; // of the attributes path
     };
@@ -94,7 +94,6 @@ private:
     void drawLighting(gpu::Commands& commands, const FrameInputs& frame);
     void drawSurfaces(gpu::Commands& commands, const FrameInputs& frame);
     void drawBackground(gpu::Commands& commands, const FrameInputs& frame);
-    void drawImage(gpu::Commands& commands, const gpu::Pipeline& pipeline, const gpu::Bindings& bindings);
     void drawSampleDepth(gpu::Commands& commands, const FrameInputs& frame);
     void reconstruct(gpu::Commands& commands, const FrameInputs& frame);
     void accumulate(const gpu::DeviceImage& sum, int index, int count);

@@ -34,13 +34,13 @@ gpu::DeviceImage makeColorTarget(const gpu::Device& device, int width, int heigh
                           Usage::eColorAttachment | Usage::eSampled | Usage::eTransferSrc | Usage::eTransferDst, name);
 }
 
-gpu::DeviceImage makeDepthTarget(const gpu::Device& device, int width, int height)
+gpu::DeviceImage makeDepthTarget(const gpu::Device& device, int width, int height, const char* name)
 {
     return gpu::makeImage(device,
                           {.width = static_cast<std::uint32_t>(width),
                            .height = static_cast<std::uint32_t>(height),
                            .format = kDepthFormat},
-                          vk::ImageUsageFlagBits::eDepthStencilAttachment | vk::ImageUsageFlagBits::eSampled, "depth");
+                          vk::ImageUsageFlagBits::eDepthStencilAttachment | vk::ImageUsageFlagBits::eSampled, name);
 }
 
 gpu::DeviceImage makeSampleDepthTarget(const gpu::Device& device, int width, int height)

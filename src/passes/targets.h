@@ -18,7 +18,7 @@ inline constexpr vk::Format kDepthFormat = vk::Format::eD32Sfloat;              
 inline constexpr vk::Format kDepthStencilFormat = vk::Format::eD32SfloatS8Uint; // the same with numbers beside it
 
 gpu::DeviceImage makeColorTarget(const gpu::Device& device, int width, int height, const char* name);
-gpu::DeviceImage makeDepthTarget(const gpu::Device& device, int width, int height);
+gpu::DeviceImage makeDepthTarget(const gpu::Device& device, int width, int height, const char* name);
 
 /// Depth of four samples a pixel.
 gpu::DeviceImage makeSampleDepthTarget(const gpu::Device& device, int width, int height);

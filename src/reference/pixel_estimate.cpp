@@ -1,6 +1,7 @@
 #include "reference/pixel_estimate.h"
 
 #include "core/error.h"
+#include "math/norm.h"
 #include "reference/shade.h"
 #include "scene/camera_view.h"
 
@@ -12,12 +13,6 @@ namespace {
 bool isSphere(const Light& light)
 {
     return light.radius > 0.0 && light.kind != Light::Kind::directional;
-}
-
-/// |c|_1, as the error of a pixel counts.
-double norm1(const dvec4& color)
-{
-    return std::abs(color.r) + std::abs(color.g) + std::abs(color.b);
 }
 
 /// Of the materials of a scene, for one table of albedos serves them all.
@@ -203,7 +198,7 @@ PixelEstimate PixelEstimator::estimate(int x, int y, int directions, std::option
         result.variance = means.variance();
         result.directions = double(turns) * kDirectionsPerRound * static_cast<double>(points.size());
         const bool precise =
-            !target || halfWidth95(result.variance) <= *target * (norm1(result.color) + 0.01 * meanNorm);
+            !target || halfWidth95(result.variance) <= *target * (norm1(dvec3(result.color)) + 0.01 * meanNorm);
         if (precise || 2.0 * turns * kDirectionsPerRound > settings.maxDirections)
             return result;
     }

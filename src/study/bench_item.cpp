@@ -2,7 +2,7 @@
 
 #include "files/image_encoders.h"
 #include "image/display.h"
-#include "plan/pixel_sampling_plan.h"
+#include "study/timed_frame.h"
 
 #include <algorithm>
 
@@ -52,14 +52,7 @@ void BenchItem::finishOnce()
 
 TimeUse BenchItem::drawFrame()
 {
-    const TimeUse start = timeUse();
-    if (pictureCount(plan.settings) == 1) {
-        renderer.drawFrame(deviceScene, camera);
-        return timeUse() - start;
-    }
-    TimeUse drawn = start; // what follows the last sample is reading back
-    renderer.render(deviceScene, camera, [&](int, int) { drawn = timeUse(); });
-    return drawn - start;
+    return timeOfFrame(renderer, deviceScene, camera);
 }
 
 void BenchItem::drawPasses(std::vector<PassTimes>& passes)

@@ -1,6 +1,7 @@
 #include "study/curve_error.h"
 
 #include "image/srgb.h"
+#include "math/norm.h"
 #include "measure/flip.h"
 #include "measure/image_metrics.h"
 #include "measure/statistics.h"
@@ -54,17 +55,6 @@ Image threeChannels(const Image& picture)
     return colors;
 }
 
-double norm1(const float* a)
-{
-    return std::abs(double(a[0])) + std::abs(double(a[1])) + std::abs(double(a[2]));
-}
-
-double distance1(const float* a, const float* b)
-{
-    return std::abs(double(a[0]) - double(b[0])) + std::abs(double(a[1]) - double(b[1])) +
-           std::abs(double(a[2]) - double(b[2]));
-}
-
 } // namespace
 
 DisplaySettings displayOf(const brdf::Method& method)
@@ -98,10 +88,10 @@ CurveJudgement judgeCurve(const Image& sceneLinear, const brdf::Method& method, 
     double norms = 0.0, squares = 0.0;
     const std::size_t count = result.pixels.texels.size();
     for (std::size_t i = 0; i < count; ++i)
-        norms += norm1(&exact.texels[3 * i]);
+        norms += norm1(&exact.texels[3 * i], 3);
     for (std::size_t i = 0; i < count; ++i) {
         const float *c = &exact.texels[3 * i], *d = &test.texels[3 * i];
-        const double relative = distance1(c, d) / (norm1(c) + kPixelFloor * norms / double(count));
+        const double relative = distance1(c, d, 3) / (norm1(c, 3) + kPixelFloor * norms / double(count));
         result.pixels.texels[i] = static_cast<float>(relative);
         squares += relative * relative;
     }

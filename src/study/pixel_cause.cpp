@@ -1,5 +1,6 @@
 #include "study/pixel_cause.h"
 
+#include "math/norm.h"
 #include "math/scrambled_sequence.h"
 #include "reference/light_integral.h"
 #include "study/environment_parts.h"
@@ -20,11 +21,6 @@ struct Correction
     dvec3 change = dvec3(0.0);
 };
 using Corrections = std::array<Correction, 4>;
-
-double norm1(const dvec3& v)
-{
-    return std::abs(v.r) + std::abs(v.g) + std::abs(v.b);
-}
 
 dvec3 integrated(const LightIntegral& integral, std::uint64_t key)
 {

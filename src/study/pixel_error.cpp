@@ -1,5 +1,7 @@
 #include "study/pixel_error.h"
 
+#include "math/norm.h"
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -8,11 +10,6 @@ namespace torrance {
 namespace {
 
 constexpr double kCount = kReplicates;
-
-double norm1(const dvec3& v)
-{
-    return std::abs(v.r) + std::abs(v.g) + std::abs(v.b);
-}
 
 bool isFinite(const dvec3& v)
 {

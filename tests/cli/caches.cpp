@@ -17,12 +17,6 @@ namespace {
 
 namespace fs = std::filesystem;
 
-std::string contentOf(const fs::path& path)
-{
-    std::ifstream file(path, std::ios::binary);
-    return {std::istreambuf_iterator<char>(file), {}};
-}
-
 /// Cheap to draw, and what the first scene of kScenes is made of.
 const std::vector<std::string> kPlane = {"--primitive", "plane", "--metallic", "1",
                                          "--roughness", "1",     "--path",     "attributes"};

@@ -5,7 +5,6 @@
 
 #include <fstream>
 #include <gtest/gtest.h>
-#include <iterator>
 #include <nlohmann/json.hpp>
 
 namespace torrance::test {
@@ -14,11 +13,6 @@ namespace {
 class Certify : public ::testing::Test
 {
 protected:
-    std::string contentOf(const std::string& name)
-    {
-        std::ifstream file(folder.file(name), std::ios::binary);
-        return {std::istreambuf_iterator<char>(file), {}};
-    }
     void put(const std::string& name, const std::string& content)
     {
         std::ofstream(folder.file(name), std::ios::binary) << content;
@@ -57,12 +51,12 @@ protected:
 TEST_F(Certify, WritesTheSameBytesEachTimeAndVerifiesThem)
 {
     render("a.exr");
-    const std::string picture = contentOf("a.exr"), certificate = contentOf("a.exr.certificate.json");
+    const std::string picture = folder.content("a.exr"), certificate = folder.content("a.exr.certificate.json");
     EXPECT_EQ(folder.names(), (std::vector<std::string>{"a.exr", "a.exr.certificate.json"}));
     EXPECT_EQ(verify("a.exr").exitCode, 0);
     render("a.exr");
-    EXPECT_EQ(contentOf("a.exr"), picture);
-    EXPECT_EQ(contentOf("a.exr.certificate.json"), certificate);
+    EXPECT_EQ(folder.content("a.exr"), picture);
+    EXPECT_EQ(folder.content("a.exr.certificate.json"), certificate);
     const auto json = nlohmann::json::parse(certificate);
     EXPECT_EQ(json["sample"]["compared"], 32);
     EXPECT_EQ(json["image"]["non_finite_pixels"], 0);
@@ -90,7 +84,7 @@ TEST_F(Certify, VerifiesPicturesThatHoldCodes)
         render(name);
         const Outcome outcome = verify(name);
         EXPECT_EQ(outcome.exitCode, 0) << name << outcome.errors;
-        std::string bytes = contentOf(name);
+        std::string bytes = folder.content(name);
         bytes.back() = static_cast<char>(bytes.back() + 1);
         put(name, bytes);
         EXPECT_EQ(verify(name).exitCode, 1) << name;
@@ -101,12 +95,12 @@ TEST_F(Certify, AChangedBlockOfPixelsFails)
 {
     render("a.exr");
     changeBlock("a.exr", "b.exr", 0.0f); // written anew, nothing changed
-    put("b.exr.certificate.json", contentOf("a.exr.certificate.json"));
+    put("b.exr.certificate.json", folder.content("a.exr.certificate.json"));
     EXPECT_EQ(verify("b.exr").exitCode, 0);
     changeBlock("a.exr", "b.exr", 0.01f);
     expectRefused({"verify", folder.file("b.exr")}, 1, "hash differs");
     // Nor does it hold with another's certificate, nor where numbers were touched up.
-    auto json = nlohmann::json::parse(contentOf("a.exr.certificate.json"));
+    auto json = nlohmann::json::parse(folder.content("a.exr.certificate.json"));
     json["shading"]["mean"]["value"] = json["shading"]["mean"]["value"].get<double>() * 0.9;
     put("a.exr.certificate.json", json.dump());
     expectRefused({"verify", folder.file("a.exr")}, 1, "shading mean value");
@@ -115,7 +109,7 @@ TEST_F(Certify, AChangedBlockOfPixelsFails)
 TEST_F(Certify, AnotherSceneFails)
 {
     render("a.exr");
-    auto json = nlohmann::json::parse(contentOf("a.exr.certificate.json"));
+    auto json = nlohmann::json::parse(folder.content("a.exr.certificate.json"));
     for (auto& argument : json["scene"]["arguments"])
         if (argument == "--roughness=0.4")
             argument = "--roughness=0.41";
@@ -128,7 +122,7 @@ TEST_F(Certify, AnotherSceneFails)
 TEST_F(Certify, RefusesCertificatesThatAreNone)
 {
     render("a.png");
-    const std::string file = "a.png.certificate.json", good = contentOf(file);
+    const std::string file = "a.png.certificate.json", good = folder.content(file);
     put(file, good.substr(0, good.size() / 2));
     expectRefused({"verify", folder.file("a.png")}, 3, file);
     put(file, "{}");
@@ -175,7 +169,7 @@ TEST_F(Certify, RefusesWhatCannotBeCertified)
 TEST_F(Certify, AddsThePartOfSampling)
 {
     render("a.exr", "--certify=32,sampling");
-    const auto json = nlohmann::json::parse(contentOf("a.exr.certificate.json"));
+    const auto json = nlohmann::json::parse(folder.content("a.exr.certificate.json"));
     EXPECT_GT(json["sampling"]["mean"]["value"].get<double>(), 0.0) << "one sample at a silhouette";
     EXPECT_EQ(json["not_vouched_for"].dump().find("sampling"), std::string::npos);
     EXPECT_EQ(verify("a.exr").exitCode, 0);

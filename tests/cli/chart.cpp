@@ -7,7 +7,6 @@
 #include <fstream>
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
-#include <sstream>
 #include <thread>
 
 namespace torrance::test {
@@ -16,13 +15,6 @@ namespace {
 using nlohmann::json;
 
 const std::string kShipped = TORRANCE_SOURCE_DIR "/assets/methods.measured.json";
-
-std::string contentOf(const std::string& path)
-{
-    std::ostringstream text;
-    text << std::ifstream(path, std::ios::binary).rdbuf();
-    return text.str();
-}
 
 // Two slots, the second of which takes about a second.
 const std::vector<std::string> kTwoSlots = {"chart", "--slot", "tone,model", "--seconds", "0.05"};

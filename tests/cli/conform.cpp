@@ -2,17 +2,9 @@
 
 #include <fstream>
 #include <gtest/gtest.h>
-#include <sstream>
 
 namespace torrance::test {
 namespace {
-
-std::string contentOf(const std::string& path)
-{
-    std::ostringstream text;
-    text << std::ifstream(path).rdbuf();
-    return text.str();
-}
 
 // The program's data with one line of one shader changed.
 void copyDataWithFault(const std::filesystem::path& to, const std::string& shader, const std::string& from,

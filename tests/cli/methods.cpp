@@ -1,18 +1,9 @@
 #include "program.h"
 
-#include <fstream>
 #include <gtest/gtest.h>
-#include <sstream>
 
 namespace torrance::test {
 namespace {
-
-std::string contentOf(const std::string& path)
-{
-    std::ostringstream text;
-    text << std::ifstream(path).rdbuf();
-    return text.str();
-}
 
 TEST(Methods, ListsSlotsMethodsAndPresets)
 {

@@ -12,13 +12,6 @@ namespace {
 const std::string kHeader = "id,nx,ny,nz,vx,vy,vz,lx,ly,lz,roughness,metallic,base_r,base_g,base_b,ior,eta,k\n";
 const std::string kRow = "a,0,0,2,0,0,1,0,0,3,1,0,0.5,0.25,1,1.5,0.2,3.9\n";
 
-std::string contentOf(const std::string& path)
-{
-    std::ostringstream text;
-    text << std::ifstream(path).rdbuf();
-    return text.str();
-}
-
 class Probe : public testing::Test
 {
 protected:

@@ -14,12 +14,6 @@
 namespace torrance::test {
 namespace {
 
-std::string contentOf(const std::filesystem::path& path)
-{
-    std::ifstream file(path, std::ios::binary);
-    return {std::istreambuf_iterator<char>(file), {}};
-}
-
 std::vector<char*> pointers(std::vector<std::string>& texts)
 {
     std::vector<char*> result;
@@ -35,6 +29,12 @@ int exitCodeOf(int status)
 }
 
 } // namespace
+
+std::string contentOf(const std::filesystem::path& path)
+{
+    std::ifstream file(path, std::ios::binary);
+    return {std::istreambuf_iterator<char>(file), {}};
+}
 
 Outcome runTorrance(const std::vector<std::string>& arguments, const std::vector<std::string>& environment,
                     const std::string& outputFile, const std::function<void(int process)>& meanwhile)

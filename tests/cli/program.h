@@ -21,6 +21,9 @@ struct Outcome
 Outcome runTorrance(const std::vector<std::string>& arguments, const std::vector<std::string>& environment = {},
                     const std::string& outputFile = "", const std::function<void(int process)>& meanwhile = {});
 
+/// A file's bytes; empty where there is none.
+std::string contentOf(const std::filesystem::path& path);
+
 /// Exactly one line, as errors are.
 bool isOneLine(const std::string& text);
 
@@ -34,6 +37,8 @@ public:
     TestFolder& operator=(const TestFolder&) = delete;
 
     std::string file(const std::string& name) const { return (path / name).string(); }
+    /// The bytes of a file in it.
+    std::string content(const std::string& name) const { return contentOf(file(name)); }
     /// Names of what lies in it, sorted: to see that nothing was left behind.
     std::vector<std::string> names() const;
 

@@ -6,7 +6,6 @@
 #include <filesystem>
 #include <fstream>
 #include <gtest/gtest.h>
-#include <iterator>
 #include <nlohmann/json.hpp>
 #include <thread>
 
@@ -16,12 +15,6 @@ namespace {
 class Reference : public ::testing::Test
 {
 protected:
-    std::string contentOf(const std::string& name)
-    {
-        std::ifstream file(folder.file(name), std::ios::binary);
-        return {std::istreambuf_iterator<char>(file), {}};
-    }
-
     Outcome run(std::vector<std::string> arguments, const std::vector<std::string>& environment = {})
     {
         Outcome outcome = runTorrance(arguments, environment);
@@ -35,11 +28,11 @@ protected:
 TEST_F(Reference, GivesTheSameBytesWhateverTheThreads)
 {
     run({"reference", "demo", "-r", "48x32", "--samples", "64", "-o", folder.file("a.exr")});
-    EXPECT_NE(contentOf("a.exr"), "");
+    EXPECT_NE(folder.content("a.exr"), "");
     for (const char* threads : {"1", "3"}) {
         run({"reference", "demo", "-r", "48x32", "--samples", "64", "-o", folder.file("b.exr")},
             {std::string("TORRANCE_THREADS=") + threads});
-        EXPECT_EQ(contentOf("a.exr"), contentOf("b.exr")) << threads;
+        EXPECT_EQ(folder.content("a.exr"), folder.content("b.exr")) << threads;
     }
 }
 
@@ -48,7 +41,7 @@ TEST_F(Reference, WritesLayersIntoAnExrAndBesideOtherFiles)
     run({"reference", "demo", "-r", "8x6", "--samples", "64", "-o", folder.file("a.png"), "--aov", "depth,variance"});
     EXPECT_EQ(folder.names(), (std::vector<std::string>{"a.depth.exr", "a.png", "a.variance.exr"}));
     run({"reference", "demo", "-r", "8x6", "--samples", "64", "-o", folder.file("b.exr"), "--aov", "all"});
-    const std::string exr = contentOf("b.exr");
+    const std::string exr = folder.content("b.exr");
     for (const char* channel : {"variance.G", "directions.V", "depth.V", "normal.X", "base_color.R", "object_id.V"})
         EXPECT_NE(exr.find(channel), std::string::npos) << channel;
 }
@@ -92,7 +85,7 @@ TEST_F(Reference, AnInterruptedRunGoesOnToTheSameBits)
         EXPECT_FALSE(std::filesystem::exists(folder.file("part.exr")));
         EXPECT_EQ(signal != SIGKILL, killed.errors.find("--resume") != std::string::npos) << killed.errors;
         run(arguments("part.exr", true));
-        EXPECT_EQ(contentOf("part.exr"), contentOf("whole.exr")) << signal;
+        EXPECT_EQ(folder.content("part.exr"), folder.content("whole.exr")) << signal;
         EXPECT_FALSE(std::filesystem::exists(part)) << "nothing to go on with is left";
         std::filesystem::remove(folder.file("part.exr"));
     }
@@ -126,7 +119,7 @@ TEST_F(Reference, RefusesACheckpointOfOtherInputsAndADamagedOne)
                                                   {"--environment-rotation", "1"},
                                                   {"--background", "transparent"}})
         expectRefused(other, "other options");
-    const std::string good = contentOf("a.exr.part");
+    const std::string good = folder.content("a.exr.part");
     std::ofstream(part, std::ios::binary) << good.substr(0, good.size() - 1);
     expectRefused({}, "damaged");
     std::ofstream(part, std::ios::binary) << good.substr(0, good.size() - 1) << 'x';

@@ -2,9 +2,7 @@
 // matter. What is drawn is tested elsewhere.
 #include "program.h"
 
-#include <fstream>
 #include <gtest/gtest.h>
-#include <iterator>
 #include <nlohmann/json.hpp>
 
 namespace torrance::test {
@@ -13,12 +11,6 @@ namespace {
 class Render : public ::testing::Test
 {
 protected:
-    std::string contentOf(const std::string& name)
-    {
-        std::ifstream file(folder.file(name), std::ios::binary);
-        return {std::istreambuf_iterator<char>(file), {}};
-    }
-
     Outcome run(std::vector<std::string> arguments)
     {
         Outcome outcome = runTorrance(arguments);
@@ -33,7 +25,7 @@ TEST_F(Render, WritesPngToStandardOutputAndNothingElse)
 {
     run({"render", "demo", "-r", "32x24", "-o", folder.file("a.png")});
     const Outcome outcome = run({"render", "demo", "-r", "32x24", "-o", "-"});
-    EXPECT_EQ(outcome.output, contentOf("a.png")) << "the same bytes as in a file";
+    EXPECT_EQ(outcome.output, folder.content("a.png")) << "the same bytes as in a file";
     EXPECT_EQ(outcome.output.rfind("\x89PNG", 0), 0u);
     EXPECT_EQ(folder.names(), (std::vector<std::string>{"a.png"}));
 }
@@ -47,7 +39,7 @@ TEST_F(Render, WritesEveryFormat)
                                       {"a.hdr", "#?RADIANCE"}})
     {
         run({"render", "demo", "-r", "16,12", "-o", folder.file(name)});
-        EXPECT_EQ(contentOf(name).rfind(start, 0), 0u) << name;
+        EXPECT_EQ(folder.content(name).rfind(start, 0), 0u) << name;
         run({"compare", folder.file(name), folder.file(name)}); // can be read, and has no NaN
     }
 }
@@ -56,7 +48,7 @@ TEST_F(Render, OptionsMayStandAnywhere)
 {
     run({"render", "demo", "-r", "32x24", "--exposure", "-1", "-o", folder.file("a.png")});
     run({"-o", folder.file("b.png"), "--exposure=-1", "render", "--resolution", "32,24", "demo"});
-    EXPECT_EQ(contentOf("a.png"), contentOf("b.png"));
+    EXPECT_EQ(folder.content("a.png"), folder.content("b.png"));
 }
 
 TEST_F(Render, DrawsSeveralInputsInOneRun)
@@ -67,8 +59,8 @@ TEST_F(Render, DrawsSeveralInputsInOneRun)
     std::filesystem::rename(folder.path / "second/demo.gltf", folder.path / "second/other.gltf");
     const Outcome outcome = run({"render", folder.file("first/demo.gltf"), folder.file("second/other.gltf"), "-r",
                                  "32x24", "-o", folder.file("{stem}.png"), "--json", "-"});
-    EXPECT_EQ(contentOf("demo.png"), contentOf("other.png"));
-    EXPECT_NE(contentOf("demo.png"), "");
+    EXPECT_EQ(folder.content("demo.png"), folder.content("other.png"));
+    EXPECT_NE(folder.content("demo.png"), "");
     EXPECT_EQ(nlohmann::json::parse(outcome.output)["pictures"].size(), 2u);
 }
 
@@ -76,12 +68,12 @@ TEST_F(Render, GivesTheSameBytesWhateverTheThreadsAndTheCache)
 {
     run({"render", "demo", "-r", "48x32", "-o", folder.file("a.png")});
     run({"render", "demo", "-r", "48x32", "-o", folder.file("b.png"), "--no-cache"});
-    EXPECT_EQ(contentOf("a.png"), contentOf("b.png"));
+    EXPECT_EQ(folder.content("a.png"), folder.content("b.png"));
     for (const char* threads : {"0", "1", "4"}) {
         const Outcome outcome = runTorrance({"render", "demo", "-r", "48x32", "-o", folder.file("c.png")},
                                             {std::string("LP_NUM_THREADS=") + threads, "TORRANCE_THREADS=1"});
         EXPECT_EQ(outcome.exitCode, 0) << outcome.errors;
-        EXPECT_EQ(contentOf("a.png"), contentOf("c.png")) << "LP_NUM_THREADS=" << threads;
+        EXPECT_EQ(folder.content("a.png"), folder.content("c.png")) << "LP_NUM_THREADS=" << threads;
     }
 }
 

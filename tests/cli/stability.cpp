@@ -2,17 +2,9 @@
 
 #include <fstream>
 #include <gtest/gtest.h>
-#include <sstream>
 
 namespace torrance::test {
 namespace {
-
-std::string contentOf(const std::string& path)
-{
-    std::ostringstream text;
-    text << std::ifstream(path, std::ios::binary).rdbuf();
-    return text.str();
-}
 
 TEST(Stability, WritesMapsTableAndReportTheSameWhateverTheThreads)
 {

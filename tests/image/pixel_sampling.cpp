@@ -226,26 +226,12 @@ TEST(PixelSampling, EveryPathReconstructsAlike)
     }
 }
 
+// The border lies 0.7 into pixel 8: of its samples, one lies beyond.
 TEST(PixelSampling, MaskedEdgesAreReconstructedToo)
 {
-    Scene scene;
-    Material material = plainMaterial(dvec3(1.0), 0.0, 1.0);
-    material.unlit = true;
-    material.alphaMode = AlphaMode::mask;
-    material.baseColor.texture = addTexture(
-        scene,
-        makeTexels(2, 1, TexelFormat::rgba8, [](int x, int) { return dvec4(1.0, 1.0, 1.0, x == 0 ? 1.0 : 0.0); }),
-        levelZero(Filter::nearest, Wrap::clampToEdge));
-    scene.materials.push_back(material);
     constexpr int kPixels = 16;
-    Camera c = orbitCamera({}, 3.0, dvec3(0), 0.8);
-    c.kind = Camera::Kind::orthographic;
-    c.ymag = 1.0;
-    c.nearPlane = 0.1;
-    c.farPlane = 10.0;
-    // The texels' border lies 0.7 into pixel 8: of its samples, one lies beyond.
-    addInstance(scene, square(0), translation(dvec3(2.0 * 0.7 / kPixels, 0, 0)));
-    const Picture drawn = draw(scene, c, sampled("reconstructed", settingsOf("gltf", kPixels)));
+    const Scene scene = maskedHalf(kPixels, 0.7);
+    const Picture drawn = draw(scene, maskedHalfCamera(), sampled("reconstructed", settingsOf("gltf", kPixels)));
     EXPECT_EQ(pixelOf(drawn, 7, 8).a, 1.0);
     EXPECT_EQ(pixelOf(drawn, 8, 8).a, 0.75);
     EXPECT_EQ(pixelOf(drawn, 9, 8).a, 0.0);

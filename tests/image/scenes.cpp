@@ -3,6 +3,7 @@
 #include "core/data_folder.h"
 #include "files/environment_file.h"
 #include "files/scene_file.h"
+#include "scene/camera_fit.h"
 
 #include <algorithm>
 #include <cmath>
@@ -75,6 +76,31 @@ Primitive torusMesh()
 }
 
 } // namespace
+
+Scene maskedHalf(int size, double place)
+{
+    Scene scene;
+    Material material = plainMaterial(dvec3(1.0), 0.0, 1.0);
+    material.unlit = true;
+    material.alphaMode = AlphaMode::mask;
+    material.baseColor.texture = addTexture(
+        scene,
+        makeTexels(2, 1, TexelFormat::rgba8, [](int x, int) { return dvec4(1.0, 1.0, 1.0, x == 0 ? 1.0 : 0.0); }),
+        levelZero(Filter::nearest, Wrap::clampToEdge));
+    scene.materials.push_back(material);
+    addInstance(scene, square(0), translation(dvec3(2.0 * place / size, 0, 0)));
+    return scene;
+}
+
+Camera maskedHalfCamera()
+{
+    Camera camera = orbitCamera({}, 3.0, dvec3(0), 0.8);
+    camera.kind = Camera::Kind::orthographic;
+    camera.ymag = 1.0;
+    camera.nearPlane = 0.1;
+    camera.farPlane = 10.0;
+    return camera;
+}
 
 dmat4 translation(const dvec3& offset)
 {

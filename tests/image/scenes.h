@@ -30,6 +30,12 @@ Scene texturedTorus();
 /// The demo scene in the light of the studio.
 Scene demoScene();
 
+/// A white square without light whose right half is masked away, for maskedHalfCamera and a picture of `size` pixels:
+/// the border lies `place` pixels into the column size / 2, of the texture and not of a triangle.
+Scene maskedHalf(int size, double place);
+/// Without perspective; the square fills the picture but for `place`.
+Camera maskedHalfCamera();
+
 dmat4 translation(const dvec3& offset);
 
 } // namespace torrance::test
