@@ -3,6 +3,8 @@
 #include "environment/irradiance_sh9.glsl"
 #elif defined(IRRADIANCE_SH4)
 #include "environment/irradiance_sh4.glsl"
+#elif defined(IRRADIANCE_EVEN)
+#include "environment/even.glsl"
 #elif defined(IRRADIANCE_SAMPLED)
 #include "environment/irradiance_sampled.glsl"
 #elif !defined(IRRADIANCE_NONE)
@@ -16,6 +18,8 @@ vec3 irradianceOverPi(vec3 n)
     return irradianceSh9(frame.irradianceHarmonics, n);
 #elif defined(IRRADIANCE_SH4)
     return irradianceSh4(frame.irradianceHarmonics, n);
+#elif defined(IRRADIANCE_EVEN)
+    return evenRadiance(frame.irradianceHarmonics);
 #elif defined(IRRADIANCE_SAMPLED)
     return irradianceSampled(environmentRadiance, n);
 #elif defined(IRRADIANCE_NONE)

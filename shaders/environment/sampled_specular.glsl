@@ -1,18 +1,11 @@
 // The specular lobe's integral over an environment by samples of it, each looked up in the mip level whose texels are as large as
 // the directions that it stands for (Colbert & Krivanek 2007, GPU-Based Importance Sampling).
 #include "environment/lobe_sample.glsl"
+#include "environment/radiance_level.glsl"
 #include "environment/sample_points.glsl"
 #include "light/axes_around.glsl"
 
 layout(constant_id = 3) const uint kEnvironmentSamples = 1;
-
-// The level of a cube of `size` texels a side on which a texel towards unit l fills the solid angle 1 / (count density): a
-// texel of level 0 fills 4 m^3 / size^2, m the largest component of l.
-float radianceLevel(vec3 l, float count, float density, float size)
-{
-    float m = max(max(abs(l.x), abs(l.y)), abs(l.z));
-    return max(0.5 * log2(size * size / (4.0 * m * m * m * count * density)), 0.0);
-}
 
 // The light of Schlick's lobe of reflectance F0 is F0 scale + bias. n and v unit, in the environment's axes.
 SpecularSums sampledSums(samplerCube radiance, vec3 n, vec3 v, float alpha, float perceptualRoughness, vec2 rotation)

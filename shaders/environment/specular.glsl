@@ -7,8 +7,15 @@ struct SpecularSums
     vec3 bias;
 };
 
-#if defined(SPECULAR_SAMPLER)
+#if defined(SPECULAR_LAMPS)
+#include "environment/lamp_specular.glsl"
+layout(set = 0, binding = kBindEnvironmentLamps) uniform samplerCube environmentLamps;
+#elif defined(SPECULAR_SAMPLER)
 #include "environment/sampled_specular.glsl"
+#elif defined(SPECULAR_EVEN)
+#ifndef IRRADIANCE_EVEN
+#include "environment/even.glsl"
+#endif
 #elif defined(SPECULAR_MIRROR)
 #include "environment/mirror.glsl"
 layout(set = 0, binding = kBindPanorama) uniform sampler2D panorama;
@@ -30,7 +37,9 @@ layout(set = 0, binding = kBindEnvironmentSpecular) uniform samplerCube environm
 // The light about a direction in the environment's axes, not necessarily unit.
 vec3 lightAbout(vec3 direction, float alpha)
 {
-#if defined(SPECULAR_MIRROR)
+#if defined(SPECULAR_EVEN)
+    return evenRadiance(frame.irradianceHarmonics);
+#elif defined(SPECULAR_MIRROR)
     return panoramaRadiance(panorama, direction);
 #elif defined(SPECULAR_PHONG_LEVELS)
     return phongRadiance(environmentSpecular, direction, alpha);
@@ -47,7 +56,11 @@ SpecularSums specularSums(vec3 n, vec3 v, float alpha, float perceptualRoughness
 {
 #ifdef SPECULAR_SAMPLER
     vec2 rotation = pixelRotation(uvec2(gl_FragCoord.xy), frame.picture);
+#ifdef SPECULAR_LAMPS
+    return lampSums(environmentRadiance, environmentLamps, n, v, alpha, perceptualRoughness, rotation);
+#else
     return sampledSums(environmentRadiance, n, v, alpha, perceptualRoughness, rotation);
+#endif
 #else
     vec3 direction = reflect(-v, n);
 #ifdef SPECULAR_DOMINANT

@@ -9,12 +9,12 @@ vec3 shade(Surface s)
 
 #else
 
-#include "light/punctual.glsl"
-#include "environment/lighting.glsl"
-
 layout(constant_id = 0) const uint kDirectionalCount = 0;
 layout(constant_id = 1) const uint kPointCount = 0;
 layout(constant_id = 2) const uint kSpotCount = 0;
+
+#include "light/punctual.glsl"
+#include "environment/lighting.glsl"
 
 float alphaOf(Surface s)
 {
@@ -22,8 +22,7 @@ float alphaOf(Surface s)
 }
 
 #ifdef PUNCTUAL_LIGHTS
-// The frame's own block once more: three uniform blocks are the most that a shader may have (src/gpu/pipeline.cpp).
-layout(set = 0, binding = kBindFrame, scalar) uniform LightBlock { Frame sameFrame; Light lights[kMaxLights]; };
+#include "light/light_block.glsl"
 
 // The surface's terms for light from `l`, unit.
 BrdfTerms reflectedTerms(Surface s, float alpha, LobeAlbedo lobe, vec3 l)

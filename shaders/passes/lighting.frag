@@ -10,7 +10,7 @@ layout(set = 0, binding = kBindFrame, scalar) uniform FrameBlock { Frame frame; 
 
 #include "material/shade.glsl"
 
-layout(constant_id = 5) const uint kLightingClass = 0; // those before are shading's
+layout(constant_id = 6) const uint kLightingClass = 0; // those before are shading's
 
 layout(set = 0, binding = kBindGBuffer) uniform sampler2D positionClass;
 layout(set = 0, binding = kBindGBuffer + 1) uniform sampler2D normalRoughness;

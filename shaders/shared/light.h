@@ -5,6 +5,8 @@
 
 SHARED_BEGIN
 
+// Lights of a scene, KHR_lights_punctual, and behind them points of an environment's lamps, which have a direction, their
+// energy as intensity and their density as coneScale.
 // KHR_lights_punctual. Directional lights use direction and intensity; point lights add position and range; spot lights
 // add the cone.
 SHARED_UINT(kMaxLights, 1024); // with the frame before them they fit into 64 KiB, the uniform block that every device has

@@ -1,5 +1,6 @@
 #include "app/certify_option.h"
 
+#include "app/option_value.h"
 #include "core/error.h"
 
 #include <CLI/CLI.hpp>
@@ -10,7 +11,7 @@
 namespace torrance {
 namespace {
 
-constexpr const char* kUsage = "it takes a number of pixels, sampling, or both: --certify=512,sampling";
+constexpr const char* kUsage = "it takes a number of pixels, noise=SHARE and sampling: --certify=512,noise=1%,sampling";
 
 int pixelsOf(const std::string& text)
 {
@@ -26,15 +27,24 @@ int pixelsOf(const std::string& text)
     return pixels;
 }
 
+double noiseOf(const std::string& text)
+{
+    const double noise = parseShare("--certify=noise", text);
+    if (!(noise >= kLeastNoise && noise <= kMostNoise))
+        throw usageError("--certify=noise=" + text + ": must be from 0.001 % to 50 %", kUsage);
+    return noise;
+}
+
 } // namespace
 
 void declareCertifyOption(CLI::App& app, CertifyOption& option)
 {
     option.given = app.add_option("--certify", option.text,
                                   "Compare N covered pixels (default 512) with their exact light, and write "
-                                  "OUT.certificate.json; sampling: the error of pixel and texture filtering, too")
+                                  "OUT.certificate.json; noise=SHARE: with as many directions as it takes to know them "
+                                  "to this share; sampling: the error of pixel and texture filtering, too")
                        ->group("Output")
-                       ->type_name("N|sampling")
+                       ->type_name("N|noise=SHARE|sampling,...")
                        ->expected(0, 1);
 }
 
@@ -52,6 +62,8 @@ std::optional<CertificateRequest> chosenCertificate(const CertifyOption& option)
                              "leave it out; the certificate lists them as not vouched for");
         if (part == "sampling")
             request.sampling = true;
+        else if (part.starts_with("noise="))
+            request.noise = noiseOf(part.substr(6));
         else
             request.pixels = pixelsOf(part);
     }

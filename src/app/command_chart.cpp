@@ -4,13 +4,12 @@
 #include "app/chart_scene.h"
 #include "app/chart_session.h"
 #include "app/device_option.h"
+#include "app/method_table_option.h"
 #include "app/option_value.h"
 #include "app/output_folder.h"
 #include "core/atomic_write.h"
-#include "core/data_folder.h"
 #include "core/error.h"
 #include "core/nearest_name.h"
-#include "core/read_file.h"
 #include "study/chart_methods_page.h"
 
 #include <CLI/CLI.hpp>
@@ -74,13 +73,8 @@ std::vector<brdf::Slot> chosenSlots(const std::string& names)
 
 MethodChart chartOfTable(const Options& options, const GlobalOptions& global)
 {
-    const std::string file =
-        options.methods == "shipped" ? (dataFolder() / "methods.measured.json").string() : options.methods;
-    const std::vector<std::byte> bytes = readFile(file);
-    MethodTable table = parseMethodTable({reinterpret_cast<const char*>(bytes.data()), bytes.size()}, file);
     const gpu::DeviceDescription device = openDevice(options.measuring.device, global).description;
-    requireDevice(table, file, device.name, device.driver + " " + device.driverVersion);
-    return {.table = std::move(table), .pictures = {}};
+    return {.table = loadMethodTable(options.methods, device, false).table, .pictures = {}};
 }
 
 void writeMethods(const MethodChart& chart, const fs::path& folder)

@@ -4,6 +4,7 @@
 #include "app/device_option.h"
 #include "app/layer_output.h"
 #include "app/lit_scene.h"
+#include "app/method_table_option.h"
 #include "app/phases.h"
 #include "app/progress_line.h"
 #include "app/render_options.h"
@@ -30,8 +31,11 @@ struct Session
     const Options& options;
     bool resultOnStandardOutput; // picture or JSON: nothing else may go there
     Phases phases;               // before what is timed
+    bool outside = false;        // some picture is not within the tolerance
     Settings settings;
-    std::optional<CertificateRequest> certify;
+    std::optional<CertificateRequest> certify; // a tolerance asks for it, too
+    std::optional<Tolerance> tolerance;
+    std::optional<NamedMethodTable> table; // where there is a tolerance
     std::optional<Environment> environment;
     std::optional<LoadedScene> first; // of the first input, loaded while the device is opened
     gpu::Device device;
@@ -53,13 +57,18 @@ private:
     Session(const Options& o, const GlobalOptions& global, const std::string& firstInput, Settings s,
             std::future<gpu::Device> opening)
         : options(o), resultOnStandardOutput(o.output.pattern == "-" || global.json == "-"), settings(std::move(s)),
-          certify(chosenCertificate(o.certify)),
+          certify(chosenCertificate(o.certify)), tolerance(chosenTolerance(o.tolerance)),
           environment(
               phases.time("environment", [&] { return loadChosenEnvironment(o.environment, settings.methods); })),
           first(load(firstInput)),
           device(phases.time("device", [&] { return finishOpeningDevice(std::move(opening)); })),
           shaders(dataFolder() / "shaders", cacheFolder(global)), renderer(device, shaders, cacheFolder(global))
     {
+        if (!tolerance)
+            return;
+        if (!certify)
+            certify.emplace();
+        table = loadMethodTable(o.tolerance.methods, device.description, true);
     }
 };
 
@@ -88,34 +97,94 @@ void addUnvouched(const SceneFacts& facts, const std::string& output, std::vecto
         effects.emplace_back("display: tone curve and encoding, which come after the comparison");
 }
 
-Certified certifyDrawn(Session& session, const std::string& input, const std::string& output, const LoadedScene& loaded,
-                       const Camera& camera, const ShadingPlan& plan, const Image& drawn)
+/// A picture as the device wrote it, and how it came about.
+struct Drawn
 {
-    Certified certified;
-    certified.certificate = certify(loaded.scene, camera, session.settings, drawn, *session.certify);
+    Settings settings;
+    ShadingPlan plan;
+    Picture picture;
+    std::optional<Certified> certified;
+    std::optional<ToleranceResult> tolerance;
+};
+
+Drawn drawOnce(Session& session, const std::string& input, LoadedScene& loaded, const Camera& camera,
+               const Settings& settings)
+{
+    Drawn drawn;
+    drawn.settings = settings;
+    drawn.plan = session.phases.time("plan", [&] { return makePlan(loaded.scene, settings); });
+    const DeviceScene deviceScene =
+        session.phases.time("upload", [&] { return session.renderer.upload(loaded.scene, drawn.plan, &camera); });
+    if (!session.certify)
+        for (TextureImage& image : loaded.scene.images)
+            std::vector<std::byte>().swap(image.texels); // the device has them
+    ProgressLine progress(input);
+    drawn.picture = session.phases.time("draw", [&] {
+        return session.renderer.render(deviceScene, camera, [&](int done, int all) { progress.show(done, all); });
+    });
+    progress.clear();
+    return drawn;
+}
+
+std::vector<brdf::Slot> slotsAskedFor(const FrameOptions& options)
+{
+    std::vector<brdf::Slot> slots;
+    for (const auto& [slot, id] : options.methods.overrides)
+        if (!id.empty())
+            slots.push_back(slot);
+    return slots;
+}
+
+Drawn drawWithinTolerance(Session& session, const std::string& input, LoadedScene& loaded, const Camera& camera)
+{
+    Drawn drawn;
+    const ToleranceTask task = {.scene = loaded.scene,
+                                .camera = camera,
+                                .asked = session.settings,
+                                .table = session.table->table,
+                                .tolerance = *session.tolerance,
+                                .fixed = slotsAskedFor(session.options.frame),
+                                .request = *session.certify};
+    ToleranceResult result = drawWithin(task, [&](const Settings& settings) -> const Image& {
+        drawn = drawOnce(session, input, loaded, camera, settings);
+        return drawn.picture.color;
+    });
+    drawn.certified.emplace().certificate = result.certificate;
+    drawn.tolerance = std::move(result);
+    return drawn;
+}
+
+void describeCertified(Session& session, const std::string& input, const std::string& output, const LoadedScene& loaded,
+                       const Camera& camera, Drawn& drawn)
+{
+    Certified& certified = *drawn.certified;
     if (certified.certificate.covered == 0)
         throw usageError("--certify: no surface is seen in the picture of " + input + ", and nothing can be compared",
                          "move the camera, or leave out --certify");
     addUnvouched(loaded.facts, output, certified.certificate.unvouched);
-    certified.picture = describePicture(session.options, input, output, loaded.scene, camera, plan);
+    certified.picture = describePicture(session.options, input, output, loaded.scene, camera, drawn.plan);
     certified.picture.device = session.device.description.name;
     certified.picture.driver = session.device.description.driverVersion;
-    return certified;
+    if (drawn.tolerance) {
+        certified.picture.arguments = argumentsFound(std::move(certified.picture.arguments), drawn.tolerance->plan);
+        certified.picture.tolerance = toleranceJson(*drawn.tolerance, session.table->hash);
+    }
 }
 
-Json certifiedJson(const Certified& certified, const Session& session, const std::string& output)
+Json certifiedJson(const Drawn& drawn, const std::string& output)
 {
-    return certificateJson(certified.certificate, certified.picture, session.settings,
+    return certificateJson(drawn.certified->certificate, drawn.certified->picture, drawn.settings,
                            imageFormatOf(output) == ImageFormat::exr);
 }
 
 /// Beside a picture that has been written.
-std::string writeCertificate(Certified& certified, const Session& session, const std::string& output)
+std::string writeCertificate(Drawn& drawn, const Session& session, const std::string& output)
 {
+    Certified& certified = *drawn.certified;
     if (imageFormatOf(output) != ImageFormat::exr)
         certified.picture.hash = hashBytes(readFile(output)).hex();
     const std::string file = certificateFile(output);
-    writeJson(file, certifiedJson(certified, session, output));
+    writeJson(file, certifiedJson(drawn, output));
     sayBeside(session, output + ": " + certificateLine(certified.certificate) + "\n");
     return file;
 }
@@ -130,23 +199,17 @@ Json draw(Session& session, const std::string& input, const std::string& output)
     const Camera camera = chooseCamera(cameraOptionsFor(session.options.camera, input), scene, aspect);
     if (session.certify)
         requireCertifiable(scene, session.settings);
-    const ShadingPlan plan = phases.time("plan", [&] { return makePlan(scene, session.settings); });
+    Drawn drawn = session.tolerance ? drawWithinTolerance(session, input, loaded, camera)
+                                    : drawOnce(session, input, loaded, camera, session.settings);
     if (session.options.explain)
-        sayBeside(session, explain(plan));
-    const DeviceScene deviceScene =
-        phases.time("upload", [&] { return session.renderer.upload(scene, plan, &camera); });
-    if (!session.certify)
-        for (TextureImage& image : loaded.scene.images)
-            std::vector<std::byte>().swap(image.texels); // the device has them
-    ProgressLine progress(input);
-    Picture picture = phases.time("draw", [&] {
-        return session.renderer.render(deviceScene, camera, [&](int done, int all) { progress.show(done, all); });
-    });
-    progress.clear();
-    std::optional<Certified> certified;
-    if (session.certify)
-        certified = phases.time(
-            "certify", [&] { return certifyDrawn(session, input, output, loaded, camera, plan, picture.color); });
+        sayBeside(session, explain(drawn.plan) + (drawn.tolerance ? toleranceText(*drawn.tolerance) : ""));
+    if (session.certify && !session.tolerance)
+        drawn.certified.emplace().certificate = phases.time("certify", [&] {
+            return certify(scene, camera, session.settings, drawn.picture.color, *session.certify);
+        });
+    if (drawn.certified)
+        describeCertified(session, input, output, loaded, camera, drawn);
+    Picture& picture = drawn.picture;
     WriteSettings write = writeSettings(session.options.output, session.settings.methods);
     ViewScale viewScale;
     if (const View* view = session.settings.view) {
@@ -156,13 +219,13 @@ Json draw(Session& session, const std::string& input, const std::string& output)
         write.tone = findToneCurve("none");
         sayBeside(session, fmt::format("{}: {} * {} + {}\n", output, viewScale.factor, view->id, viewScale.offset));
     }
-    if (certified && imageFormatOf(output) == ImageFormat::exr) {
-        certified->picture.hash = pixelHash(picture.color).hex();
-        write.attributes[kCertificateAttribute] = jsonText(certifiedJson(*certified, session, output));
+    if (drawn.certified && imageFormatOf(output) == ImageFormat::exr) {
+        drawn.certified->picture.hash = pixelHash(picture.color).hex();
+        write.attributes[kCertificateAttribute] = jsonText(certifiedJson(drawn, output));
     }
     auto files = phases.time("write", [&] { return writeWithLayers(output, picture, session.options.layers, write); });
-    if (certified)
-        files.push_back(writeCertificate(*certified, session, output));
+    if (drawn.certified)
+        files.push_back(writeCertificate(drawn, session, output));
     Json::Array written(files.begin(), files.end());
     Json::Object result = {{"input", input},
                            {"output", output},
@@ -172,8 +235,12 @@ Json draw(Session& session, const std::string& input, const std::string& output)
                            {"samples", session.settings.samples},
                            {"triangles", loaded.facts.triangles},
                            {"warnings", Json::Array(loaded.warnings.begin(), loaded.warnings.end())}};
-    if (certified)
-        result.emplace_back("certificate", certifiedJson(*certified, session, output));
+    if (drawn.certified)
+        result.emplace_back("certificate", certifiedJson(drawn, output));
+    if (drawn.tolerance && !drawn.tolerance->holds) {
+        session.outside = true;
+        logError(output + ": not within the tolerance: " + drawn.tolerance->obstacle);
+    }
     if (session.settings.view)
         result.emplace_back("view", viewAsJson(session.settings, viewScale));
     return result;
@@ -184,7 +251,7 @@ ExitCode run(const Options& options, const GlobalOptions& global)
     const std::vector<std::string> inputs = sceneInputs(options.scene);
     const std::vector<std::string> outputs = outputNames(options.output, inputs);
     checkLayerNames(options.layers, layerNames());
-    if (chosenCertificate(options.certify))
+    if (chosenCertificate(options.certify) || chosenTolerance(options.tolerance))
         std::ranges::for_each(outputs, checkCertifiedOutput);
     if (global.json == "-" && options.output.pattern == "-")
         throw usageError("--output and --json both name standard output", "give one of them a file");
@@ -202,7 +269,7 @@ ExitCode run(const Options& options, const GlobalOptions& global)
                                         {"pipelines", session.renderer.pipelineCount()},
                                         {"shaders_compiled", session.shaders.compiledCount()},
                                         {"seconds", phasesAsJson(session.phases)}});
-    return ExitCode::success;
+    return session.outside ? ExitCode::checkFailed : ExitCode::success;
 }
 
 } // namespace

@@ -19,15 +19,6 @@ std::vector<std::string> methodIds(brdf::Slot slot)
     return ids;
 }
 
-std::string optionName(brdf::Slot slot)
-{
-    std::string name = "--" + std::string(brdf::slotName(slot));
-    for (char& c : name)
-        if (c == '_')
-            c = '-';
-    return name;
-}
-
 // A source's model stands for the whole of its preset; the model gltf is that of the other presets.
 brdf::Preset startingPreset(const MethodOptions& options)
 {
@@ -89,6 +80,15 @@ void setParameter(const std::string& choice, brdf::Preset& preset)
 
 } // namespace
 
+std::string methodOption(brdf::Slot slot)
+{
+    std::string name = "--" + std::string(brdf::slotName(slot));
+    for (char& c : name)
+        if (c == '_')
+            c = '-';
+    return name;
+}
+
 void declareModelChoices(CLI::App& app, ModelChoices& choices)
 {
     app.add_option("--quirk", choices.quirks,
@@ -117,7 +117,7 @@ void declareMethodOptions(CLI::App& app, MethodOptions& options)
     const brdf::Preset& standard = *brdf::findPreset("standard");
     for (const brdf::Slot slot : brdf::allSlots())
         if (standard[slot])
-            addChoice(app, optionName(slot), options.overrides[slot], methodIds(slot), "Instead of the preset's")
+            addChoice(app, methodOption(slot), options.overrides[slot], methodIds(slot), "Instead of the preset's")
                 ->group("Methods");
     declareModelChoices(app, options.model);
 }
@@ -129,7 +129,7 @@ brdf::Preset chooseMethods(const MethodOptions& options)
         if (id.empty() || slot == brdf::Slot::model)
             continue;
         if (!preset[slot])
-            throw usageError("the preset " + std::string(preset.id) + " takes no " + optionName(slot) +
+            throw usageError("the preset " + std::string(preset.id) + " takes no " + methodOption(slot) +
                                  ": its source defines that by itself, or not at all",
                              "leave it out, or use --preset standard");
         preset[slot] = brdf::findMethod(slot, id);

@@ -71,6 +71,17 @@ std::vector<double> parseNumbers(const std::string& option, const std::string& t
     return numbers;
 }
 
+double parseShare(const std::string& option, const std::string& text)
+{
+    const bool percent = text.ends_with('%');
+    const char* const end = text.data() + text.size() - (percent ? 1 : 0);
+    double number = 0.0;
+    const auto [next, failure] = std::from_chars(text.data(), end, number);
+    if (failure != std::errc() || next != end || !std::isfinite(number))
+        throw usageError(option + " " + text + ": is no share", "write 0.01 or 1%");
+    return percent ? number / 100.0 : number;
+}
+
 std::optional<dvec3> parseHexColor(const std::string& text)
 {
     if (text.size() != 7 || text[0] != '#')

@@ -25,6 +25,9 @@ std::string listed(const std::vector<std::string>& names);
 std::vector<double> parseNumbers(const std::string& option, const std::string& text, std::size_t least,
                                  std::size_t most);
 
+/// A share of a whole: 0.01 or 1%. An Error (usage) names the option; any finite number passes.
+double parseShare(const std::string& option, const std::string& text);
+
 /// #RRGGBB in sRGB, as linear light; nothing where the text is none.
 std::optional<dvec3> parseHexColor(const std::string& text);
 

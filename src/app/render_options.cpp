@@ -59,6 +59,7 @@ void declareRenderOptions(CLI::App& app, RenderOptions& o)
         ->type_name("NAMES");
     app.add_flag("--explain", o.explain, "Print what is computed for the scene, what is left out and why");
     declareCertifyOption(app, o.certify);
+    declareToleranceOption(app, o.tolerance);
     declareCameraOptions(app, o.camera);
     declareEnvironmentOptions(app, o.environment);
     declareLightOptions(app, o.light);

@@ -8,6 +8,7 @@
 #include "app/light_option.h"
 #include "app/output_options.h"
 #include "app/scene_input.h"
+#include "app/tolerance_option.h"
 #include "app/view_option.h"
 
 #include <string>
@@ -20,6 +21,7 @@ struct RenderOptions
     std::string layers;
     bool explain = false;
     CertifyOption certify;
+    ToleranceOption tolerance;
     std::string device;
     SceneOptions scene;
     FrameOptions frame;

@@ -58,10 +58,15 @@ double alphaOf(const EnvironmentQuery& query)
     return std::max(query.perceptualRoughness * query.perceptualRoughness, kMinAlpha);
 }
 
-dvec3 splitSum(const EnvironmentQuery& query, const dvec3& direction)
+dvec3 albedoOf(const EnvironmentQuery& query)
 {
     const AlbedoTerms terms = ggxAlbedo(std::clamp(glm::dot(query.n, query.v), 0.0, 1.0), query.perceptualRoughness);
-    return ggxMean(query, direction, alphaOf(query)) * (query.f0 * terms.scale + terms.bias);
+    return query.f0 * terms.scale + terms.bias;
+}
+
+dvec3 splitSum(const EnvironmentQuery& query, const dvec3& direction)
+{
+    return ggxMean(query, direction, alphaOf(query)) * albedoOf(query);
 }
 
 /// The mean over the points of f(v, l) NoL L(l) / density(l); `draw` gives l, `density` is per steradian of it.
@@ -113,6 +118,11 @@ dvec3 Ed_sh4(const EnvironmentQuery& query)
     return sumOf(irradianceHarmonics(query), 4, query.n);
 }
 
+dvec3 Ed_even(const EnvironmentQuery& query)
+{
+    return sumOf(irradianceHarmonics(query), 1, query.n);
+}
+
 dvec3 Ed_sh9(const EnvironmentQuery& query)
 {
     return sumOf(irradianceHarmonics(query), 9, query.n);
@@ -121,6 +131,11 @@ dvec3 Ed_sh9(const EnvironmentQuery& query)
 dvec3 Ed_sh9_windowed(const EnvironmentQuery& query)
 {
     return sumOf(windowedHarmonics(irradianceHarmonics(query)), 9, query.n);
+}
+
+dvec3 Es_even(const EnvironmentQuery& query)
+{
+    return Ed_even(query) * albedoOf(query);
 }
 
 dvec3 Es_split_sum(const EnvironmentQuery& query)
@@ -169,6 +184,46 @@ dvec3 Es_vndf_bounded(const EnvironmentQuery& query)
         [&](const dvec3& v, const dvec3& l) { return ggxReflectionDensity(v, alpha, l); });
 }
 
+// Written over the sum of both densities, where the device weighs: f L / (N p + K q) for directions, and f E q / (K q +
+// N p) for points of energy E, for a point stands for its region's share 1 / K of the lamps' density q.
+dvec3 Es_vndf_lamps(const EnvironmentQuery& query)
+{
+    const dvec2 alpha(alphaOf(query));
+    const dmat3 axes = frameAround(query.n);
+    const dvec3 v = query.v * axes;
+    const double directions = query.samples, points = static_cast<double>(query.lampPoints.size());
+    const auto reflected = [&](const dvec3& l) {
+        const ShadingPoint point = makeShadingPoint(dvec3(0, 0, 1), v, l, query.perceptualRoughness);
+        const dvec3 fresnel = query.f0 + (dvec3(1) - query.f0) * std::pow(point.oneLessVoH, 5);
+        return fresnel * (D_ggx(point) * V_smith_corr(point) * point.NoL);
+    };
+    dvec3 sum(0);
+    for (int i = 0; i < query.samples; ++i) {
+        const auto count = static_cast<std::uint32_t>(query.samples);
+        const dvec3 l = sampleGgxReflection(
+            v, alpha, rotatedPoint(hammersley(static_cast<std::uint32_t>(i), count), query.rotation));
+        const double p = l.z > 0 ? directions * ggxReflectionDensity(v, alpha, l) : 0;
+        if (!(p > 0))
+            continue;
+        const LampLight lamp = query.lamps ? query.lamps(axes * l) : LampLight();
+        const dvec3 rest = query.radiance(axes * l) - lamp.radiance;
+        sum += reflected(l) * (rest / p + lamp.radiance / (p + points * lamp.density));
+    }
+    for (const LampPoint& lamp : query.lampPoints) {
+        const dvec3 l = lamp.direction * axes;
+        if (l.z > 0 && lamp.density > 0) {
+            const double p = directions * ggxReflectionDensity(v, alpha, l), q = points * lamp.density;
+            sum += reflected(l) * lamp.energy * (q / (p + q));
+        }
+    }
+    return sum;
+}
+
+int lampPointCount(int samples)
+{
+    return std::clamp(4 * samples, kLeastLampPoints, kMostLampPoints);
+}
+
 // The light of normals drawn from the lobe, weighed by NoL (Karis 2013, section "Pre-Filtered Environment Map"), with
 // Gauss' nodes in place of random numbers: over those whose light is above the horizon, h.z^2 > 1/2, that is u.x < 1 /
 // (1 + alpha^2).
@@ -202,7 +257,7 @@ dvec3 Es_mirror(const EnvironmentQuery& query)
 
 bool drawsSamples(const Method& environmentSpecular)
 {
-    constexpr std::string_view kLookUps[] = {"split_sum", "split_sum_dominant", "phong_levels", "ggx_levels", "mirror"};
+    constexpr std::string_view kLookUps[] = {"even", "split_sum", "split_sum_dominant", "phong_levels", "ggx_levels", "mirror"};
     return std::ranges::find(kLookUps, environmentSpecular.id) == std::end(kLookUps);
 }
 

@@ -4,10 +4,26 @@
 #include "brdf/shading_point.h"
 
 #include <functional>
+#include <span>
 
 namespace torrance::brdf {
 
 struct Preset;
+
+/// What shines from a direction of an environment's lamps, and how densely their points lie there.
+struct LampLight
+{
+    dvec3 radiance = dvec3(0.0);
+    double density = 0.0; // 1/sr; 0 where no point stands for it
+};
+
+/// A point that stands for a part of an environment's lamps.
+struct LampPoint
+{
+    dvec3 direction = dvec3(0, 1, 0); // unit
+    dvec3 energy = dvec3(0.0);        // radiance times solid angle
+    double density = 0.0;             // 1/sr
+};
 
 /// Light from all directions on a surface point. Directions are unit and point away from the surface.
 struct EnvironmentQuery
@@ -18,6 +34,9 @@ struct EnvironmentQuery
     dvec3 f0 = dvec3(0.04);           // of the specular lobe, Schlick's with f90 = 1
     int samples = 0;                  // of the methods that draw samples
     dvec2 rotation = dvec2(0.0, 0.0); // in [0, 1): moves their points, modulo 1
+    // Of the method vndf_lamps: a part of `radiance`, and the points that stand for it. None: all is the rest.
+    std::span<const LampPoint> lampPoints = {};
+    std::function<LampLight(const dvec3& direction)> lamps = {};
 };
 
 /// A sphere of even radiance intensity / (pi radius^2), shining outwards: from far off it is a point light of this

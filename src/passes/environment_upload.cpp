@@ -4,6 +4,7 @@
 #include "brdf/irradiance_window.h"
 #include "passes/dfg_upload.h"
 #include "passes/image_fill.h"
+#include "prepare/environment_lamps.h"
 #include "prepare/irradiance.h"
 #include "prepare/panorama.h"
 #include "prepare/radiance_pyramid.h"
@@ -46,10 +47,32 @@ const gpu::DeviceImage& EnvironmentStore::radianceCube(const Image& radiance, co
     const std::string key = content.hex();
     if (const auto found = radianceCubes.find(key); found != radianceCubes.end())
         return found->second;
+    int size = 0;
+    const std::vector<float> texels = cubeTexels(radiance, content, size);
+    return radianceCubes.emplace(key, uploadCube(device, radiancePyramid(texels, size), "radiance")).first->second;
+}
+
+// The radiance itself: level 0 of the chain.
+std::vector<float> EnvironmentStore::cubeTexels(const Image& radiance, const ContentHash& content, int& size)
+{
     const brdf::Method& splitSum = *brdf::findMethod(brdf::Slot::environmentSpecular, "split_sum");
-    const EnvironmentMaps maps = keptEnvironmentMaps(splitSum, radiance, content, cache);
-    const CubeLevels pyramid = radiancePyramid(maps.specular.data.front(), maps.specular.size);
-    return radianceCubes.emplace(key, uploadCube(device, pyramid, "radiance")).first->second;
+    EnvironmentMaps maps = keptEnvironmentMaps(splitSum, radiance, content, cache);
+    size = maps.specular.size;
+    return std::move(maps.specular.data.front());
+}
+
+const LampImages& EnvironmentStore::lamps(const Image& radiance, const ContentHash& content, int points)
+{
+    const std::string key = content.hex() + " " + std::to_string(points);
+    if (const auto found = lampImages.find(key); found != lampImages.end())
+        return found->second;
+    int size = 0;
+    const std::vector<float> texels = cubeTexels(radiance, content, size);
+    EnvironmentLamps split = splitLamps(texels, size, points);
+    return lampImages
+        .emplace(key, LampImages{uploadCube(device, split.rest, "radiance without lamps"),
+                                 uploadCube(device, split.lamps, "lamps"), std::move(split.points)})
+        .first->second;
 }
 
 const gpu::DeviceImage& EnvironmentStore::panorama(const Image& radiance, const ContentHash& content)
@@ -85,25 +108,34 @@ const gpu::DeviceImage* EnvironmentStore::albedoTable(const brdf::Preset& method
 }
 
 void EnvironmentStore::addLight(EnvironmentImages& images, const Image& radiance, const ContentHash& content,
-                                const brdf::Preset& methods)
+                                const Settings& settings)
 {
+    const brdf::Preset& methods = settings.methods;
     const brdf::Method& specular = *methods.environmentSpecular;
     if (specular.id == "mirror") { // nothing is prefiltered
         images.panorama = &panorama(radiance, content);
         return;
     }
-    const LightCubes& light = lightCubes(radiance, content, specular);
     const std::string_view diffuse = methods.environmentDiffuse->id;
     const bool samples = brdf::drawsSamples(specular);
+    const auto light = [&]() -> const LightCubes& { return lightCubes(radiance, content, specular); };
+    if (specular.id == "even")
+        images.harmonics = irradianceHarmonics(radiance);
     if (diffuse == "irradiance_cube")
-        images.diffuse = &light.diffuse;
+        images.diffuse = &light().diffuse;
     else if (diffuse != "sampled")
         images.harmonics =
             diffuse == "sh9_windowed" ? windowed(irradianceHarmonics(radiance)) : irradianceHarmonics(radiance);
-    if (!samples)
-        images.specular = &light.specular;
-    if (samples || diffuse == "sampled")
+    if (specular.id != "even" && !samples)
+        images.specular = &light().specular;
+    if (specular.id == "vndf_lamps" && diffuse != "sampled") {
+        const LampImages& split = lamps(radiance, content, brdf::lampPointCount(settings.environmentSamples));
+        images.radiance = &split.rest;
+        images.lamps = &split.lamps;
+        images.lampPoints = split.points;
+    } else if (samples || diffuse == "sampled") {
         images.radiance = &radianceCube(radiance, content);
+    }
 }
 
 EnvironmentImages EnvironmentStore::get(const Scene& scene, const ShadingPlan& plan)
@@ -113,7 +145,7 @@ EnvironmentImages EnvironmentStore::get(const Scene& scene, const ShadingPlan& p
         const Image& radiance = scene.environment->radiance;
         const ContentHash content = panoramaContent(radiance);
         if (plan.environmentLight)
-            addLight(images, radiance, content, plan.settings.methods);
+            addLight(images, radiance, content, plan.settings);
         if (plan.panorama)
             images.panorama = &panorama(radiance, content);
     }

@@ -11,6 +11,7 @@
 #include <array>
 #include <filesystem>
 #include <map>
+#include <span>
 #include <string>
 #include <string_view>
 #include <tuple>
@@ -24,8 +25,17 @@ struct EnvironmentImages
     const gpu::DeviceImage* diffuse = nullptr;  // cube, irradiance / pi; or, for the methods sh4, sh9, sh9_windowed,
     std::array<vec3, 9> harmonics = {};         // the same as nine harmonics
     const gpu::DeviceImage* radiance = nullptr; // cube with plain mips, for methods that draw samples
+    const gpu::DeviceImage* lamps = nullptr;    // what was taken out of it, as environment_lamps.h has it
+    std::span<const brdf::LampPoint> lampPoints = {};
     const gpu::DeviceImage* panorama = nullptr; // lat-long, with mips: seen behind the scene, or in its mirrors
     const gpu::DeviceImage* dfg = nullptr;      // directional albedos
+};
+
+/// An environment of which lamps were taken out.
+struct LampImages
+{
+    gpu::DeviceImage rest, lamps;
+    std::vector<brdf::LampPoint> points;
 };
 
 class EnvironmentStore
@@ -38,15 +48,18 @@ public:
 
 private:
     void addLight(EnvironmentImages& images, const Image& radiance, const ContentHash& content,
-                  const brdf::Preset& methods);
+                  const Settings& settings);
     const LightCubes& lightCubes(const Image& radiance, const ContentHash& content, const brdf::Method& specular);
     const gpu::DeviceImage& radianceCube(const Image& radiance, const ContentHash& content);
+    const LampImages& lamps(const Image& radiance, const ContentHash& content, int points);
+    std::vector<float> cubeTexels(const Image& radiance, const ContentHash& content, int& size);
     const gpu::DeviceImage& panorama(const Image& radiance, const ContentHash& content);
     const gpu::DeviceImage* albedoTable(const brdf::Preset& methods); // null for a fit
 
     const gpu::Device& device;
     DiskCache cache;
     std::map<std::string, gpu::DeviceImage> radianceCubes;     // by the panorama's content
+    std::map<std::string, LampImages> lampImages;              // likewise, and by the number of points
     std::map<std::string, gpu::DeviceImage> panoramas;         // likewise
     std::map<std::string, LightCubes> cubes;                   // likewise, and by the source's model that owns them
     std::map<std::string_view, gpu::DeviceImage> albedoTables; // by the row, and source B's

@@ -186,7 +186,8 @@ std::vector<shared::Material> makeMaterials(const ShadingPlan& plan, std::span<c
 
 static_assert(kMostLights == shared::kMaxLights);
 
-std::vector<shared::Light> makeLights(const ShadingPlan& plan, const dvec3& eye)
+std::vector<shared::Light> makeLights(const ShadingPlan& plan, std::span<const brdf::LampPoint> lamps,
+                                      const dvec3& eye)
 {
     // The least difference of the cones' cosines, KHR_lights_punctual's own: a hard edge is a very steep one.
     constexpr double kLeastCone = 0.001;
@@ -202,6 +203,13 @@ std::vector<shared::Light> makeLights(const ShadingPlan& plan, const dvec3& eye)
             1.0 / std::max(kLeastCone, std::cos(light.innerConeAngle) - std::cos(light.outerConeAngle));
         l.coneScale = static_cast<float>(scale);
         l.coneOffset = static_cast<float>(-std::cos(light.outerConeAngle) * scale);
+        lights.push_back(l);
+    }
+    for (const brdf::LampPoint& lamp : lamps) {
+        shared::Light l = {};
+        l.direction = vec3(lamp.direction);
+        l.intensity = vec3(lamp.energy);
+        l.coneScale = static_cast<float>(lamp.density);
         lights.push_back(l);
     }
     return lights;

@@ -21,6 +21,8 @@ shared::Frame makeFrame(const Scene& scene, const ShadingPlan& plan, const Camer
 std::vector<shared::Instance> makeInstances(const ShadingPlan& plan, const MeshBuffers& meshes, const dvec3& eye);
 /// By ShadingPlan::blocks.
 std::vector<shared::Material> makeMaterials(const ShadingPlan& plan, std::span<const int> finestLevels);
-std::vector<shared::Light> makeLights(const ShadingPlan& plan, const dvec3& eye);
+/// The plan's lights, and behind them the points of the environment's lamps, in the environment's axes.
+std::vector<shared::Light> makeLights(const ShadingPlan& plan, std::span<const brdf::LampPoint> lamps,
+                                      const dvec3& eye);
 
 } // namespace torrance

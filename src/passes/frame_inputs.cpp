@@ -51,6 +51,8 @@ gpu::Bindings bindingsOf(const FrameInputs& frame, const FrameSamplers& samplers
         bindings.set(shared::kBindEnvironmentDiffuse, *environment.diffuse, samplers.table);
     if (environment.radiance)
         bindings.set(shared::kBindEnvironmentRadiance, *environment.radiance, samplers.table);
+    if (environment.lamps)
+        bindings.set(shared::kBindEnvironmentLamps, *environment.lamps, samplers.table);
     if (environment.dfg)
         bindings.set(shared::kBindDfg, *environment.dfg, samplers.table);
     if (environment.panorama)
@@ -71,7 +73,7 @@ FrameInputs makeFrameInputs(const gpu::Device& device, const DeviceScene& scene,
         .scene = scene,
         .camera = camera,
         .frame =
-            gpu::makeBuffer(device, frameBlock(frameOf(scene, camera, offset, picture), makeLights(scene.plan, eye)),
+            gpu::makeBuffer(device, frameBlock(frameOf(scene, camera, offset, picture), makeLights(scene.plan, scene.environment.lampPoints, eye)),
                             Usage::eUniformBuffer, "frame"),
         .instances = gpu::makeBuffer(device, bytesOf(instances), Usage::eVertexBuffer, "instances"),
         .shapeInstances = gpu::makeUniformBlocks(device, shared::kBindInstance,
@@ -85,7 +87,7 @@ void useFrame(gpu::Commands& commands, const FrameInputs& frame)
 {
     std::vector<gpu::ImageUse> images = frame.scene.textures.uses();
     const EnvironmentImages& e = frame.scene.environment;
-    for (const gpu::DeviceImage* image : {e.specular, e.diffuse, e.radiance, e.dfg, e.panorama})
+    for (const gpu::DeviceImage* image : {e.specular, e.diffuse, e.radiance, e.lamps, e.dfg, e.panorama})
         if (image)
             images.push_back(gpu::use(*image, gpu::Access::sampled));
     const std::array buffers = {gpu::use(frame.frame, gpu::Access::shaderRead),

@@ -1,5 +1,6 @@
 #include "passes/surface_pass.h"
 
+#include "brdf/environment.h"
 #include "passes/targets.h"
 #include "plan/attribute_plan.h"
 #include "plan/deferred_plan.h"
@@ -222,6 +223,7 @@ std::vector<std::uint32_t> shadingConstants(const ShadingPlan& plan)
         constants.push_back(static_cast<std::uint32_t>(count));
     constants.push_back(static_cast<std::uint32_t>(plan.settings.environmentSamples));
     constants.push_back(static_cast<std::uint32_t>(plan.settings.lightSamples));
+    constants.push_back(static_cast<std::uint32_t>(brdf::lampPointCount(plan.settings.environmentSamples)));
     return constants;
 }
 

@@ -77,7 +77,9 @@ void defineEnvironment(std::string& text, const brdf::Preset& methods)
     define(text, "IRRADIANCE_NONE", diffuse.empty());
     define(text, "IRRADIANCE_SH9", diffuse == "sh9" || diffuse == "sh9_windowed");
     define(text, "IRRADIANCE_SH4", diffuse == "sh4");
+    define(text, "IRRADIANCE_EVEN", diffuse == "even");
     define(text, "IRRADIANCE_SAMPLED", diffuse == "sampled");
+    define(text, "SPECULAR_EVEN", specular.id == "even");
     define(text, "SPECULAR_DOMINANT", specular.id == "split_sum_dominant");
     define(text, "SPECULAR_PHONG_LEVELS", specular.id == "phong_levels");
     define(text, "SPECULAR_GGX_LEVELS", specular.id == "ggx_levels");

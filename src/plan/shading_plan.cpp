@@ -273,6 +273,25 @@ void checkLevels(const ShadingPlan& plan)
                      "leave out --environment-specular: each preset has one that goes with its model");
 }
 
+// The points of lamps lie behind the lights, and what is left of the radiance is no whole environment.
+void checkLamps(const ShadingPlan& plan)
+{
+    const brdf::Preset& methods = plan.settings.methods;
+    if (!plan.environmentLight || methods.environmentSpecular->id != "vndf_lamps")
+        return;
+    if (methods.environmentDiffuse->id == "sampled")
+        throw usageError("--environment-specular vndf_lamps takes the lamps out of the radiance that "
+                         "--environment-diffuse sampled reads",
+                         "use irradiance_cube, which is as exact");
+    const std::size_t points =
+        static_cast<std::size_t>(brdf::lampPointCount(plan.settings.environmentSamples));
+    if (plan.lights.size() + points > kMostLights)
+        throw usageError("--environment-specular vndf_lamps: its " + std::to_string(points) + " points and " +
+                             std::to_string(plan.lights.size()) + " lights are more than " +
+                             std::to_string(kMostLights),
+                         "use vndf_bounded, or leave lights out");
+}
+
 // What is tabulated and prefiltered is the lobe of ggx with smith_corr: another lobe would be lit by the wrong one. A
 // source system that says nothing of environments is lit by none.
 void checkLobe(const ShadingPlan& plan)
@@ -282,6 +301,7 @@ void checkLobe(const ShadingPlan& plan)
         throw usageError("the preset " + std::string(methods.id) + " defines no light from an environment",
                          "leave it out: --environment none");
     checkLevels(plan);
+    checkLamps(plan);
     if (!plan.dfgTable || !brdf::isComposed(methods))
         return;
     const std::string_view D = methods.distribution->id;

@@ -14,17 +14,17 @@ std::vector<float> halved(const std::vector<float>& fine, int fineSize)
     for (int face = 0; face < kCubeFaces; ++face)
         for (int y = 0; y < size; ++y)
             for (int x = 0; x < size; ++x) {
-                dvec3 energy(0.0);
+                dvec4 energy(0.0);
                 double solidAngle = 0.0;
                 for (const auto& [fx, fy] :
                      {std::pair(2 * x, 2 * y), {2 * x + 1, 2 * y}, {2 * x, 2 * y + 1}, {2 * x + 1, 2 * y + 1}}) {
                     const float* texel = fine.data() + 4 * cubeTexelIndex(face, fx, fy, fineSize);
                     const double omega = cubeTexelSolidAngle(fx, fy, fineSize);
-                    energy += omega * dvec3(texel[0], texel[1], texel[2]);
+                    energy += omega * dvec4(texel[0], texel[1], texel[2], texel[3]);
                     solidAngle += omega;
                 }
                 float* texel = coarse.data() + 4 * cubeTexelIndex(face, x, y, size);
-                for (int c = 0; c < 3; ++c)
+                for (int c = 0; c < 4; ++c)
                     texel[c] = static_cast<float>(energy[c] / solidAngle);
             }
     return coarse;

@@ -7,6 +7,8 @@
 #include "plan/level_plan.h"
 #include "plan/pixel_sampling_plan.h"
 #include "study/error_numbers.h"
+#include "study/pixel_effort.h"
+#include "study/surface_survey.h"
 
 #include <algorithm>
 #include <cmath>
@@ -16,6 +18,9 @@ namespace {
 
 /// Places of a pixel per replicate of the part `sampling`: 64 in all.
 constexpr int kPlaces = 4;
+/// Where directions are dealt out, the first look takes this part of them.
+constexpr int kFirstLook = 4;
+constexpr std::uint64_t kFirstLookSeed = 3; // seed + 1 is the worst pixel's, + 2 that of the part `sampling`
 /// The worst pixel is integrated once more, with this many times the directions.
 constexpr int kWorstEffort = 16;
 
@@ -55,6 +60,14 @@ std::optional<dvec4> backgroundOf(const Settings& settings)
     return std::nullopt;
 }
 
+std::vector<std::size_t> pixelsOf(const std::vector<PixelStratum>& strata)
+{
+    std::vector<std::size_t> pixels;
+    for (const PixelStratum& stratum : strata)
+        pixels.insert(pixels.end(), stratum.drawn.begin(), stratum.drawn.end());
+    return pixels;
+}
+
 /// Everything that is looked at, with what is known of it: the sample first, the forced pixels after it.
 struct Looked
 {
@@ -68,22 +81,56 @@ struct Looked
     std::span<const PixelError> sampleErrors() const { return std::span(errors).first(sampled); }
 };
 
-Looked chooseAndIntegrate(const PixelEstimator& estimator, const std::vector<CoveredPixel>& covered, const Image& drawn,
-                          const CertificateRequest& request, int directions)
+/// Directions of every pixel of the sample. The first look's estimates are thrown away: a pixel in which it missed a
+/// lamp looks even, and would keep its wrong mean.
+std::vector<int> effortsOf(const PixelEstimator& estimator, const std::vector<CoveredPixel>& covered,
+                           const std::vector<std::size_t>& sample, const CertificateRequest& request, int directions)
+{
+    if (!request.noise)
+        return std::vector<int>(sample.size(), directions);
+    const int few = std::max(directions / kFirstLook / kDirectionsPerRound, 1) * kDirectionsPerRound;
+    std::vector<PixelSpread> spreads(sample.size());
+    parallelFor(spreads.size(), 1, [&](std::size_t i) {
+        const CoveredPixel& pixel = covered[sample[i]];
+        const Replicates colors = estimator.replicates(pixel.x, pixel.y, few, request.seed + kFirstLookSeed).colors;
+        const PixelError known = pixelError(colors.mean(), colors);
+        spreads[i] = {known.norm, known.normVariance * few};
+    });
+    return directionsFor(spreads, *request.noise, few, kDirectionsPerRound);
+}
+
+std::vector<Replicates> integrated(const PixelEstimator& estimator, const std::vector<CoveredPixel>& covered,
+                                   const std::vector<std::size_t>& sample, const CertificateRequest& request,
+                                   int directions)
+{
+    const std::vector<int> efforts = effortsOf(estimator, covered, sample, request, directions);
+    std::vector<Replicates> truths(sample.size());
+    parallelFor(truths.size(), 1, [&](std::size_t i) {
+        const CoveredPixel& pixel = covered[sample[i]];
+        truths[i] = estimator.replicates(pixel.x, pixel.y, efforts[i], request.seed).colors;
+    });
+    return truths;
+}
+
+/// The sample and the forced pixels of this picture, which have the plain number of directions: no mean is of them.
+Looked lookAt(const PixelEstimator& estimator, const std::vector<CoveredPixel>& covered, const Image& drawn,
+              const CertificateRequest& request, int directions, const std::vector<PixelStratum>& strata,
+              const std::vector<Replicates>& truths)
 {
     Looked looked;
-    looked.strata = drawSample(covered.size(), static_cast<std::size_t>(request.pixels), request.seed);
+    looked.strata = strata;
     looked.forced = forcedPixels(estimator.rays().scene(), covered, drawn, request.seed);
-    for (const PixelStratum& stratum : looked.strata)
-        looked.pixels.insert(looked.pixels.end(), stratum.drawn.begin(), stratum.drawn.end());
+    looked.pixels = pixelsOf(looked.strata);
     looked.sampled = looked.pixels.size();
     for (const ForcedPixel& forced : looked.forced)
         looked.pixels.push_back(forced.pixel);
+    looked.truths = truths;
     looked.truths.resize(looked.pixels.size());
     looked.errors.resize(looked.pixels.size());
     parallelFor(looked.pixels.size(), 1, [&](std::size_t i) {
         const CoveredPixel& pixel = covered[looked.pixels[i]];
-        looked.truths[i] = estimator.replicates(pixel.x, pixel.y, directions, request.seed).colors;
+        if (i >= looked.sampled)
+            looked.truths[i] = estimator.replicates(pixel.x, pixel.y, directions, request.seed).colors;
         looked.errors[i] = pixelError(colorAt(drawn, pixel), looked.truths[i]);
     });
     return looked;
@@ -192,20 +239,32 @@ void requireCertifiable(const Scene& scene, const Settings& settings)
                          "leave the environment out: --environment none");
 }
 
-Certificate certify(const Scene& scene, const Camera& camera, const Settings& settings, const Image& drawn,
-                    const CertificateRequest& request)
+Certifier::Certifier(const Scene& s, const Camera& c, const Settings& settings, const CertificateRequest& r)
+    : scene(s), camera(c), request(r), asked((requireCertifiable(s, settings), settings)),
+      exact(exactSettings(settings, r)), estimator(s, c, exact),
+      covered(coveredPixels(estimator, settings.width, settings.height)),
+      strata(drawSample(covered.size(), static_cast<std::size_t>(r.pixels), r.seed)), sample(pixelsOf(strata)),
+      truths(integrated(estimator, covered, sample, r, exact.directions))
 {
-    requireCertifiable(scene, settings);
-    const ReferenceSettings exact = exactSettings(settings, request);
-    const PixelEstimator estimator(scene, camera, exact);
-    const std::vector<CoveredPixel> covered = coveredPixels(estimator, settings.width, settings.height);
+}
+
+std::vector<SeenSurface> Certifier::surfaces() const
+{
+    std::vector<CoveredPixel> pixels;
+    for (const std::size_t i : sample)
+        pixels.push_back(covered[i]);
+    return surveySurfaces(estimator, asked.methods, pixels);
+}
+
+Certificate Certifier::judge(const Settings& settings, const Image& drawn)
+{
     Certificate certificate;
     certificate.request = request;
     certificate.covered = covered.size();
     certificate.nonFinite = nonFinitePixels(drawn);
     if (covered.empty())
         return certificate;
-    const Looked looked = chooseAndIntegrate(estimator, covered, drawn, request, exact.directions);
+    const Looked looked = lookAt(estimator, covered, drawn, request, exact.directions, strata, truths);
     certificate.compared = looked.sampled;
     certificate.forced = looked.forced.size();
     certificate.meanNorm = meanNormOf(looked.strata, looked.sampleErrors());
@@ -224,6 +283,12 @@ Certificate certify(const Scene& scene, const Camera& camera, const Settings& se
         places.emplace_back(certificate.pixels[i].x + 0.5, certificate.pixels[i].y + 0.5);
     certificate.unvouched = unvouchedEffects(estimator, request.sampling, places);
     return certificate;
+}
+
+Certificate certify(const Scene& scene, const Camera& camera, const Settings& settings, const Image& drawn,
+                    const CertificateRequest& request)
+{
+    return Certifier(scene, camera, settings, request).judge(settings, drawn);
 }
 
 } // namespace torrance

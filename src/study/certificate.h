@@ -2,10 +2,13 @@
 #pragma once
 
 #include "image/image.h"
+#include "plan/method_ladder.h"
 #include "plan/settings.h"
+#include "reference/pixel_estimate.h"
 #include "scene/scene.h"
 #include "study/pixel_cause.h"
 #include "study/pixel_error.h"
+#include "study/pixel_sample.h"
 #include "study/unvouched.h"
 
 #include <cstdint>
@@ -28,7 +31,14 @@ struct CertificateRequest
     std::uint64_t seed = 0;
     int directions = 1024; // of a pixel, per light that is no point: about what keeps the truth's noise below the
                            // sample's (docs/certificate.md)
+    /// None: `directions` each. Else a first look with fewer finds out where noise is, and directions are dealt out so
+    /// that the truths are known to this share of |c|_1, over the sample (pixel_effort.h).
+    std::optional<double> noise = {};
 };
+
+/// What can be asked for: below, kMostDirectionsInAll is the end in any case; above, it asks for nothing.
+inline constexpr double kLeastNoise = 1e-5;
+inline constexpr double kMostNoise = 0.5;
 
 /// A pixel that was looked at, and what the device wrote there.
 struct LookedPixel
@@ -72,6 +82,33 @@ struct Certificate
     std::optional<ErrorNumbers> both;     // what was drawn against that mean
     std::vector<std::string> unvouched;
     std::vector<LookedPixel> pixels; // those drawn at random, then the forced ones
+};
+
+/// Pictures of one scene, certified one after the other: what they are compared with is computed once.
+class Certifier
+{
+public:
+    /// Keeps references to scene and camera. Throws as requireCertifiable. The methods in `settings` are the model that is
+    /// asked for; those that stand in for integrals may differ from picture to picture, all else may not.
+    Certifier(const Scene& scene, const Camera& camera, const Settings& settings, const CertificateRequest& request);
+
+    /// As certify, of a picture drawn with these settings.
+    Certificate judge(const Settings& settings, const Image& drawn);
+
+    /// What the pixels that are drawn at random see (surface_survey.h). Empty where nothing is covered.
+    std::vector<SeenSurface> surfaces() const;
+
+private:
+    const Scene& scene;
+    const Camera& camera;
+    CertificateRequest request;
+    Settings asked;
+    ReferenceSettings exact;
+    PixelEstimator estimator;
+    std::vector<CoveredPixel> covered;
+    std::vector<PixelStratum> strata;
+    std::vector<std::size_t> sample; // numbers in `covered`
+    std::vector<Replicates> truths;  // of the sample
 };
 
 /// `drawn` is what the device wrote: RGBA, scene-linear, premultiplied, drawn with these settings. A pure function of

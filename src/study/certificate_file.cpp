@@ -96,6 +96,16 @@ int wholeNumber(const JsonView& view, double least, double most)
     return static_cast<int>(number);
 }
 
+std::optional<double> noiseOf(const JsonView& view)
+{
+    const double noise = view.numberOr(std::numeric_limits<double>::quiet_NaN());
+    if (std::isnan(noise))
+        return std::nullopt;
+    if (!(noise >= kLeastNoise && noise <= kMostNoise))
+        view.refuse(fmt::format("must be from {} to {}", kLeastNoise, kMostNoise));
+    return noise;
+}
+
 void readNumbers(const JsonView& view, const std::string& name, ReadCertificate& read)
 {
     for (const char* which : {"mean", "median", "percentile_99"})
@@ -147,6 +157,7 @@ Json certificateJson(const Certificate& certificate, const CertifiedPicture& pic
                                 {"sampling", request.sampling},
                                 {"seed", static_cast<std::int64_t>(request.seed)},
                                 {"directions", request.directions},
+                                {"asked_noise", request.noise ? Json(*request.noise) : Json()},
                                 {"mean_norm", certificate.meanNorm},
                                 {"noise", certificate.noise},
                                 {"confidence", 0.95}}},
@@ -157,6 +168,8 @@ Json certificateJson(const Certificate& certificate, const CertifiedPicture& pic
         object.emplace_back("sampling", numbersJson(*certificate.sampling));
     if (certificate.both)
         object.emplace_back("shading_and_sampling", numbersJson(*certificate.both));
+    if (!std::holds_alternative<std::nullptr_t>(picture.tolerance.value))
+        object.emplace_back("tolerance", picture.tolerance);
     object.emplace_back("not_vouched_for", textsJson(certificate.unvouched));
     if (!linear)
         object.emplace_back("pixels", pixelsJson(certificate.pixels));
@@ -198,6 +211,8 @@ ReadCertificate readCertificate(std::string_view text, const std::string& file)
     read.picture.path = view.member("plan").member("path").text();
     read.request.pixels = wholeNumber(sample.member("asked"), kLeastCertified, kMostCertified);
     read.request.directions = wholeNumber(sample.member("directions"), kDirectionsPerRound, kMostDirections);
+    if (sample.has("asked_noise"))
+        read.request.noise = noiseOf(sample.member("asked_noise"));
     read.request.seed = static_cast<std::uint64_t>(wholeNumber(sample.member("seed"), 0, 1 << 30));
     read.request.sampling = view.has("sampling");
     read.numbers = {{"covered pixels", sample.member("covered_pixels").number()},

@@ -18,6 +18,7 @@ struct CertifiedPicture
     std::string planHash, planText;     // of explain()
     std::string path;                   // on which it was drawn
     std::string device, driver, program;
+    Json tolerance; // what was asked for and tried; null where none was
 };
 
 /// `linear`: the picture's own file holds what the device wrote, so that the compared pixels need not stand in the

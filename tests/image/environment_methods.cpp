@@ -3,8 +3,13 @@
 #include "brdf/albedo.h"
 #include "brdf/environment.h"
 #include "drawing.h"
+#include "core/error.h"
+#include "math/frame.h"
 #include "math/latlong.h"
+#include "math/low_discrepancy.h"
 #include "math/pixel_rotation.h"
+#include "math/sampling.h"
+#include "plan/light_plan.h"
 #include "prepare/environment_maps.h"
 #include "reference/analytic_shape.h"
 #include "reference/pixel_condition.h"
@@ -249,6 +254,72 @@ TEST(EnvironmentSpecular, TheDominantDirectionIsNearerAndSamplesConverge)
         EXPECT_LT(many, 0.25 * few) << id;
         EXPECT_LT(many, 0.25 * dominant) << id;
     }
+}
+
+// Even but for a sun of a few degrees.
+dvec3 sunOf(const dvec3& d)
+{
+    return dvec3(300.0, 250.0, 200.0) *
+           std::exp(1000.0 * (glm::dot(d, glm::normalize(dvec3(0.5, 0.7, 0.4))) - 1.0));
+}
+
+dvec3 sunny(const dvec3& d)
+{
+    return dvec3(0.3, 0.5, 0.8) + sunOf(d);
+}
+
+// 64 directions and 256 points come nearer to the integral than 256 directions, whatever the lobe. The
+// truth is points that lie so densely over the sun that directions leave it to them.
+TEST(EnvironmentSpecular, PointsFindTheLampsThatDirectionsMiss)
+{
+    const dvec3 toSun = glm::normalize(dvec3(0.5, 0.7, 0.4));
+    constexpr double kOneLessCosine = 0.012; // exp(-12) is left of the sun
+    constexpr std::uint32_t kPoints = 4096;
+    std::vector<brdf::LampPoint> points;
+    for (std::uint32_t i = 0; i < kPoints; ++i) {
+        const dvec3 d = frameAround(toSun) * sampleCone(kOneLessCosine, hammersley(i, kPoints));
+        points.push_back({d, sunOf(d) * (2.0 * kPi * kOneLessCosine / kPoints), 1e9});
+    }
+    const auto exactly = [&](brdf::EnvironmentQuery query) {
+        query.radiance = sunny;
+        query.lampPoints = points;
+        query.lamps = [](const dvec3& d) { return brdf::LampLight{sunOf(d), 1e9}; };
+        return brdf::Es_vndf_lamps(query);
+    };
+    for (const double roughness : {0.3, 0.5, 0.8}) {
+        const Scene scene = ball(plainMaterial(dvec3(1.0), 1.0, roughness), environmentOf(sunny));
+        const auto errorOf = [&](const char* id, int samples) {
+            const Picture picture = drawWith(scene, Slot::environmentSpecular,
+                                             *brdf::findMethod(Slot::environmentSpecular, id), samples);
+            double error = 0.0, light = 0.0;
+            forEachPixel(scene, [&](int x, int y, brdf::EnvironmentQuery query) {
+                query.samples = 256;
+                const dvec3 exact = exactly(query);
+                error += glm::length(dvec3(pixelOf(picture, x, y)) - exact);
+                light += glm::length(exact);
+            });
+            return error / light;
+        };
+        const double lamps = errorOf("vndf_lamps", 64), directions = errorOf("vndf_bounded", 256);
+        EXPECT_LT(lamps, 0.5 * directions) << roughness;
+        EXPECT_LT(lamps, 0.5 * errorOf("vndf_lamps", 4)) << roughness;
+        EXPECT_LT(lamps, 1e-2) << roughness; // twice what the cube's energy may be off (environment_maps.h)
+    }
+}
+
+TEST(EnvironmentSpecular, LampsNeedTheirPlaceBehindTheLights)
+{
+    Scene scene = ball(plainMaterial(dvec3(1.0), 1.0, 0.5), environmentOf(sunny));
+    Settings settings = settingsOf("gltf", kSize);
+    settings.methods[Slot::environmentSpecular] = brdf::findMethod(Slot::environmentSpecular, "vndf_lamps");
+    settings.environmentSamples = 16;
+    for (std::size_t i = 0; i <= kMostLights - 64; ++i)
+        scene.lights.push_back(Light{});
+    EXPECT_THROW(makePlan(scene, settings), Error);
+    scene.lights.pop_back();
+    EXPECT_NO_THROW(makePlan(scene, settings));
+    settings.methods[Slot::environmentDiffuse] = brdf::findMethod(Slot::environmentDiffuse, "sampled");
+    EXPECT_THROW(makePlan(scene, settings), Error);
 }
 
 } // namespace

@@ -3,7 +3,10 @@
 #include "brdf/albedo.h"
 #include "brdf/irradiance_window.h"
 #include "brdf/phong_levels.h"
+#include "math/frame.h"
+#include "math/low_discrepancy.h"
 #include "math/pixel_rotation.h"
+#include "math/sampling.h"
 #include "math/spherical_harmonics.h"
 
 #include <gtest/gtest.h>
@@ -46,13 +49,14 @@ TEST(EnvironmentRows, IrradianceOfAnEvenEnvironmentIsExact)
     }
 }
 
-// Of light that is linear in the direction, bands above 1 are empty: all methods give 2/3 of its slope.
+// Of light that is linear in the direction, bands above 1 are empty: all methods give 2/3 of its slope, but for the mean.
 TEST(EnvironmentRows, IrradianceOfALinearEnvironmentIsExact)
 {
     for (const Method* method : rowsOf(Slot::environmentDiffuse)) {
         EnvironmentQuery query = queryAt(0.5, 1);
         query.radiance = [](const dvec3& d) { return dvec3(2 + d.x, 2 + d.y, 2 - 0.5 * d.z); };
-        const dvec3 expected = dvec3(2) + 2.0 / 3.0 * dvec3(query.n.x, query.n.y, -0.5 * query.n.z);
+        const double slope = method->id == "even" ? 0.0 : 2.0 / 3.0;
+        const dvec3 expected = dvec3(2) + slope * dvec3(query.n.x, query.n.y, -0.5 * query.n.z);
         EXPECT_LE(glm::length(valueOf(*method, query) - expected), 1e-12) << method->id;
     }
 }
@@ -92,6 +96,48 @@ TEST(EnvironmentRows, SampledMethodsConvergeToOneIntegral)
         EXPECT_LT(errors[1], 3e-3) << method->id;
         EXPECT_LT(errors[1], 0.2 * errors[0]) << method->id;
     }
+}
+
+// A sky and a sun of compact support; points even over the sun's cone. However wide the lobe, whether directions or
+// points find the sun, its light counts once: as much as directions alone find of all light when they are many.
+TEST(EnvironmentRows, LampsCountOnceWhoeverFindsThem)
+{
+    const dvec3 toSun = glm::normalize(dvec3(0.5, -0.2, 1));
+    constexpr double kOneLessCosine = 0.02; // a cone of 11 degrees
+    const auto sunAt = [&](const dvec3& d) {
+        const double inside = std::max(0.0, 1.0 - (1.0 - glm::dot(d, toSun)) / kOneLessCosine);
+        return dvec3(200, 150, 100) * inside * inside;
+    };
+    const double density = 1.0 / (2.0 * kPi * kOneLessCosine);
+    std::vector<LampPoint> points;
+    constexpr std::uint32_t kPoints = 1024;
+    for (std::uint32_t i = 0; i < kPoints; ++i) {
+        const dvec3 d = frameAround(toSun) * sampleCone(kOneLessCosine, hammersley(i, kPoints));
+        points.push_back({d, sunAt(d) / (density * kPoints), density});
+    }
+    for (const double r : {0.1, 0.3, 0.6, 1.0})
+        for (const double NoV : {0.2, 0.7}) {
+            EnvironmentQuery query = queryAt(NoV, r);
+            query.radiance = [&](const dvec3& d) { return dvec3(0.4 + 0.2 * d.z) + sunAt(d); };
+            query.samples = 1 << 17;
+            const dvec3 exact = Es_vndf_bounded(query);
+            query.lampPoints = points;
+            query.lamps = [&](const dvec3& d) {
+                return LampLight{sunAt(d), 1.0 - glm::dot(d, toSun) < kOneLessCosine ? density : 0.0};
+            };
+            for (const int samples : {256, 4096}) {
+                query.samples = samples;
+                EXPECT_LE(glm::length(Es_vndf_lamps(query) / exact - dvec3(1)), samples == 256 ? 2e-2 : 4e-3)
+                    << "r " << r << " NoV " << NoV << " by " << samples;
+            }
+        }
+}
+
+TEST(EnvironmentRows, LampPointsAreFourADirectionWithinTheirBounds)
+{
+    EXPECT_EQ(lampPointCount(1), kLeastLampPoints);
+    EXPECT_EQ(lampPointCount(64), 256);
+    EXPECT_EQ(lampPointCount(1 << 20), kMostLampPoints);
 }
 
 TEST(EnvironmentRows, TheDominantDirectionIsTheMirrorsForSmoothSurfaces)

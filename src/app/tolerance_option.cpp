@@ -1,0 +1,143 @@
+#include "app/tolerance_option.h"
+
+#include "app/method_options.h"
+#include "app/option_value.h"
+#include "core/error.h"
+
+#include <CLI/CLI.hpp>
+
+#include <algorithm>
+#include <fmt/format.h>
+
+namespace torrance {
+namespace {
+
+double shareOf(const std::string& option, const std::string& text)
+{
+    const double share = parseShare(option, text);
+    if (!(share > 0.0 && share <= 1.0))
+        throw usageError(option + " " + text + ": must be above 0 and at most 1", "write 0.01, 1% or standard");
+    return share;
+}
+
+double meanOf(const std::string& text)
+{
+    for (const NamedTolerance& named : kNamedTolerances)
+        if (text == named.name || (text.empty() && named.name == "standard"))
+            return named.mean;
+    return shareOf("--tolerance", text);
+}
+
+bool isReplaced(const std::string& argument, const TolerancePlan& plan)
+{
+    for (const char* name : {"--tolerance", "--tolerance-p99", "--methods"})
+        if (argument == name || argument.starts_with(std::string(name) + "="))
+            return true;
+    return std::ranges::any_of(plan.ladders, [&](const MethodLadder& ladder) {
+        return argument.starts_with(methodOption(ladder.slot) + "=");
+    });
+}
+
+std::string nameOf(const Rung& rung)
+{
+    return std::string(rung.method->id) + (rung.samples > 0 ? fmt::format(" {}", rung.samples) : "");
+}
+
+Json boundedJson(const Bounded& number)
+{
+    return Json::Object{{"value", number.value}, {"low", number.low}, {"high", number.high}};
+}
+
+Json rungsJson(const std::vector<Rung>& rungs)
+{
+    Json::Object object;
+    for (const Rung& rung : rungs) {
+        object.emplace_back(std::string(brdf::slotName(rung.method->slot)), std::string(rung.method->id));
+        if (rung.samples > 0)
+            object.emplace_back(std::string(brdf::slotName(rung.method->slot)) + "_samples", rung.samples);
+    }
+    return object;
+}
+
+} // namespace
+
+void declareToleranceOption(CLI::App& app, ToleranceOption& option)
+{
+    option.given =
+        app.add_option("--tolerance", option.mean,
+                       "Choose methods so that the mean shading error is at most this share of the light, and certify "
+                       "it: 0.01, 1%, draft (5 %), standard (1 %, where nothing is named) or exact (0.1 %)")
+            ->group("Methods")
+            ->type_name("E")
+            ->expected(0, 1);
+    app.add_option("--tolerance-p99", option.percentile99, "The same of the 99th percentile of the pixels' errors")
+        ->group("Methods")
+        ->type_name("E");
+    app.add_option("--methods", option.methods,
+                   "The table of torrance calibrate that a tolerance chooses from (default shipped: of lavapipe)")
+        ->group("Methods")
+        ->type_name("FILE");
+}
+
+std::optional<Tolerance> chosenTolerance(const ToleranceOption& option)
+{
+    if (!option.given || option.given->count() == 0) {
+        if (!option.percentile99.empty() || option.methods != "shipped")
+            throw usageError(option.percentile99.empty() ? "--methods is what a tolerance chooses from"
+                                                         : "--tolerance-p99 goes with a tolerance of the mean",
+                             "add --tolerance");
+        return std::nullopt;
+    }
+    Tolerance tolerance = {.mean = meanOf(option.mean), .percentile99 = {}};
+    if (!option.percentile99.empty())
+        tolerance.percentile99 = shareOf("--tolerance-p99", option.percentile99);
+    return tolerance;
+}
+
+std::vector<std::string> argumentsFound(std::vector<std::string> arguments, const TolerancePlan& plan)
+{
+    std::erase_if(arguments, [&](const std::string& argument) { return isReplaced(argument, plan); });
+    for (const MethodLadder& ladder : plan.ladders) {
+        const Rung& rung = ladder.taken();
+        arguments.push_back(methodOption(ladder.slot) + "=" + std::string(rung.method->id));
+        if (rung.samples > 0)
+            arguments.push_back(fmt::format(
+                "--{}={}", ladder.slot == brdf::Slot::areaLight ? "light-samples" : "environment-samples", rung.samples));
+    }
+    return arguments;
+}
+
+Json toleranceJson(const ToleranceResult& result, const std::string& tableHash)
+{
+    const Tolerance& tolerance = result.plan.tolerance;
+    Json::Array trials;
+    for (const ToleranceTrial& trial : result.trials)
+        trials.emplace_back(Json::Object{{"methods", rungsJson(trial.rungs)},
+                                         {"mean", boundedJson(trial.mean)},
+                                         {"percentile_99", boundedJson(trial.percentile99)}});
+    Json::Object object = {{"mean", tolerance.mean},
+                           {"percentile_99", tolerance.percentile99 ? Json(*tolerance.percentile99) : Json()},
+                           {"holds", result.holds},
+                           {"methods_table", tableHash},
+                           {"trials", trials}};
+    if (!result.obstacle.empty())
+        object.emplace_back("obstacle", result.obstacle);
+    return object;
+}
+
+std::string toleranceText(const ToleranceResult& result)
+{
+    std::string text = "tolerance\n";
+    for (const ToleranceTrial& trial : result.trials) {
+        std::string methods;
+        for (const Rung& rung : trial.rungs)
+            methods += (methods.empty() ? "" : ", ") + nameOf(rung);
+        text += fmt::format("  tried {}: mean {:.3g} % ({:.3g} to {:.3g})\n", methods.empty() ? "as asked" : methods,
+                            100.0 * trial.mean.value, 100.0 * trial.mean.low, 100.0 * trial.mean.high);
+    }
+    for (const Remark& remark : remarksOf(result.plan))
+        text += "  " + remark.subject + ": " + remark.choice + " (" + remark.reason + ")\n";
+    return text;
+}
+
+} // namespace torrance

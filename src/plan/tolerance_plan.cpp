@@ -1,0 +1,92 @@
+#include "plan/tolerance_plan.h"
+
+#include <algorithm>
+#include <fmt/format.h>
+
+namespace torrance {
+namespace {
+
+using brdf::Slot;
+
+std::size_t firstWithin(const MethodLadder& ladder, double error)
+{
+    const auto found =
+        std::ranges::find_if(ladder.rungs, [&](const Rung& rung) { return rung.error <= error; });
+    return found == ladder.rungs.end() ? ladder.rungs.size() - 1
+                                       : static_cast<std::size_t>(found - ladder.rungs.begin());
+}
+
+std::string nameOf(const Rung& rung)
+{
+    return rung.samples > 0 ? fmt::format("{} with {} samples", rung.method->id, rung.samples)
+                            : std::string(rung.method->id);
+}
+
+} // namespace
+
+TolerancePlan planTolerance(const MethodTable& table, const Tolerance& tolerance, const brdf::Preset& asked,
+                            std::span<const Slot> fixed, std::span<const SeenSurface> surfaces,
+                            const LadderScene& scene)
+{
+    TolerancePlan plan = {tolerance, {}};
+    for (const Slot slot : kChosenSlots) {
+        if (!asked[slot] || std::ranges::find(fixed, slot) != fixed.end())
+            continue;
+        std::optional<MethodLadder> ladder = ladderOf(table, slot, *asked[slot], surfaces, scene);
+        if (!ladder)
+            continue;
+        if (slot != Slot::environmentSpecular)
+            ladder->at = firstWithin(*ladder, kSlotShare * tolerance.mean);
+        plan.ladders.push_back(std::move(*ladder));
+    }
+    return plan;
+}
+
+Settings settingsOf(const TolerancePlan& plan, Settings settings)
+{
+    for (const MethodLadder& ladder : plan.ladders) {
+        const Rung& rung = ladder.taken();
+        settings.methods[ladder.slot] = rung.method;
+        if (rung.samples > 0)
+            (ladder.slot == Slot::areaLight ? settings.lightSamples : settings.environmentSamples) = rung.samples;
+    }
+    return settings;
+}
+
+bool stepUp(TolerancePlan& plan, double measured)
+{
+    MethodLadder* worst = nullptr;
+    double expected = 0.0;
+    for (MethodLadder& ladder : plan.ladders) {
+        expected += ladder.taken().error;
+        if (!ladder.isHighest() && (!worst || ladder.taken().error > worst->taken().error))
+            worst = &ladder;
+    }
+    if (!worst)
+        return false;
+    const Rung drawn = worst->taken();
+    const double scale = expected > 0.0 ? measured / expected : 1.0;
+    const double left = kAim * plan.tolerance.mean - (expected - drawn.error);
+    do
+        ++worst->at;
+    while (!worst->isHighest() &&
+           worst->taken().error * (worst->taken().method == drawn.method ? scale : 1.0) > left);
+    return true;
+}
+
+Remarks remarksOf(const TolerancePlan& plan)
+{
+    Remarks remarks;
+    for (const MethodLadder& ladder : plan.ladders) {
+        const std::string subject = "tolerance, " + std::string(brdf::slotName(ladder.slot));
+        const Rung &taken = ladder.taken(), &highest = ladder.rungs.back();
+        remarks.push_back({subject, nameOf(taken),
+                           fmt::format("{:.2g} % expected by the table, and {:.3g} ns a pixel less than {}",
+                                       100.0 * taken.error, highest.cost - taken.cost, nameOf(highest))});
+        for (const RefusedMethod& refused : ladder.refused)
+            remarks.push_back({subject, "not " + std::string(refused.method->id), refused.reason});
+    }
+    return remarks;
+}
+
+} // namespace torrance

@@ -1,0 +1,85 @@
+#include "study/tolerance_search.h"
+
+#include "plan/light_plan.h"
+#include "plan/shading_plan.h"
+#include "brdf/environment.h"
+#include "reference/shade.h"
+
+#include <algorithm>
+#include <fmt/format.h>
+
+namespace torrance {
+namespace {
+
+LadderScene factsOf(const Scene& scene, const Settings& asked)
+{
+    const ShadingPlan plan = makePlan(scene, asked);
+    return {.environment = plan.environmentLight,
+            .even = scene.environment && uniformRadiance(*scene.environment).has_value(),
+            .lamps = plan.lights.size() + brdf::kMostLampPoints <= kMostLights,
+            .spheres = std::ranges::any_of(plan.lights, [](const Light& light) { return light.radius > 0.0; })};
+}
+
+std::string percent(double share)
+{
+    return fmt::format("{:.3g} %", 100.0 * share);
+}
+
+std::string obstacleOf(const ToleranceResult& result)
+{
+    const Tolerance& tolerance = result.plan.tolerance;
+    const ErrorNumbers& error = result.certificate.shading;
+    const bool ofMean = error.mean.high > tolerance.mean;
+    const Bounded& number = ofMean ? error.mean : error.percentile99;
+    const double bound = ofMean ? tolerance.mean : tolerance.percentile99.value_or(0.0);
+    const std::string what = fmt::format("the {} is {} ({} to {})", ofMean ? "mean error" : "99th percentile",
+                                         percent(number.value), percent(number.low), percent(number.high));
+    const bool atTheTop =
+        std::ranges::all_of(result.plan.ladders, [](const MethodLadder& ladder) { return ladder.isHighest(); });
+    if (number.value <= bound)
+        return what + ": its interval is too wide, and more pixels (--certify N) or directions (--certify "
+                      "noise=SHARE) narrow it";
+    const WorstFound& worst = *result.certificate.worst;
+    return what + (atTheTop ? " with the nearest methods there are" : fmt::format(" after {} steps", kMostSteps)) +
+           "; at the worst pixel it comes from " +
+           (worst.cause.method.empty() ? worst.cause.slot : worst.cause.slot + " " + worst.cause.method);
+}
+
+} // namespace
+
+bool isWithin(const Tolerance& tolerance, const ErrorNumbers& error)
+{
+    return error.mean.high <= tolerance.mean &&
+           (!tolerance.percentile99 || error.percentile99.high <= *tolerance.percentile99);
+}
+
+ToleranceResult drawWithin(const ToleranceTask& task, const std::function<const Image&(const Settings&)>& draw)
+{
+    CertificateRequest request = task.request;
+    if (!request.noise)
+        request.noise = std::clamp(kToleranceNoise * task.tolerance.mean, kLeastNoise, kMostNoise);
+    Certifier certifier(task.scene, task.camera, task.asked, request);
+    ToleranceResult result;
+    result.plan = planTolerance(task.table, task.tolerance, task.asked.methods, task.fixed, certifier.surfaces(),
+                                factsOf(task.scene, task.asked));
+    for (int step = 0;; ++step) {
+        result.settings = settingsOf(result.plan, task.asked);
+        result.certificate = certifier.judge(result.settings, draw(result.settings));
+        if (result.certificate.covered == 0)
+            return result;
+        const ErrorNumbers& error = result.certificate.shading;
+        ToleranceTrial trial = {{}, error.mean, error.percentile99};
+        for (const MethodLadder& ladder : result.plan.ladders)
+            trial.rungs.push_back(ladder.taken());
+        result.trials.push_back(std::move(trial));
+        result.holds = isWithin(task.tolerance, error) && result.certificate.nonFinite == 0;
+        if (result.holds)
+            return result;
+        if (step == kMostSteps || !stepUp(result.plan, error.mean.value)) {
+            result.obstacle = obstacleOf(result);
+            return result;
+        }
+    }
+}
+
+} // namespace torrance

@@ -1,0 +1,51 @@
+// A picture drawn until its certificate says that it is within a tolerance.
+#pragma once
+
+#include "plan/tolerance_plan.h"
+#include "study/certificate.h"
+
+#include <functional>
+
+namespace torrance {
+
+/// After the first picture, methods go up this many times at most.
+inline constexpr int kMostSteps = 4;
+/// Of the tolerance: what the noise of the truths may be (CertificateRequest::noise). It then widens the interval's
+/// upper end by a fifth of the tolerance at most, where it adds to the error at all.
+inline constexpr double kToleranceNoise = 0.5;
+
+struct ToleranceTrial
+{
+    std::vector<Rung> rungs; // what was taken of each ladder of the plan
+    Bounded mean, percentile99;
+};
+
+struct ToleranceResult
+{
+    TolerancePlan plan;
+    Settings settings; // of the last picture
+    std::vector<ToleranceTrial> trials;
+    Certificate certificate;
+    bool holds = false;
+    std::string obstacle; // what stands in the way, where it does not
+};
+
+/// True where the upper ends of the intervals are within: with 95 % confidence, so is the picture.
+bool isWithin(const Tolerance& tolerance, const ErrorNumbers& error);
+
+struct ToleranceTask
+{
+    const Scene& scene;
+    const Camera& camera;
+    const Settings& asked;
+    const MethodTable& table;
+    Tolerance tolerance;
+    std::vector<brdf::Slot> fixed; // slots whose methods were asked for by name
+    CertificateRequest request;
+};
+
+/// `draw` gives what the device writes with these settings. Where nothing is covered, the certificate's `covered` is 0
+/// and nothing holds. Throws as requireCertifiable, and what `draw` throws.
+ToleranceResult drawWithin(const ToleranceTask& task, const std::function<const Image&(const Settings&)>& draw);
+
+} // namespace torrance

@@ -1,0 +1,192 @@
+#include "plan/tolerance_plan.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace torrance {
+namespace {
+
+using brdf::Slot;
+
+const brdf::Method* method(Slot slot, const char* id)
+{
+    return brdf::findMethod(slot, id);
+}
+
+// A table of one cell: costs and errors are those that a test names.
+struct Row
+{
+    Slot slot;
+    const char* id;
+    double cost, error;
+};
+
+MethodTable tableOf(std::initializer_list<Row> rows)
+{
+    MethodTable table;
+    table.grid = {{0.0, 1.0}, {0.0, 1.0}, {0.0, 1.0}};
+    for (const Row& row : rows) {
+        MethodRow& added = table.rows.emplace_back();
+        added.method = method(row.slot, row.id);
+        added.truth = "the integral";
+        added.cost.emplace().nanoseconds = {row.cost, row.cost, row.cost};
+        added.error.emplace().mean = row.error;
+        added.error->cells.assign(table.grid.cells(), row.error);
+    }
+    return table;
+}
+
+MethodTable usual()
+{
+    return tableOf({{Slot::environmentDiffuse, "even", 80, 0.5},
+                    {Slot::environmentDiffuse, "sh4", 90, 0.08},
+                    {Slot::environmentDiffuse, "irradiance_cube", 100, 0.0},
+                    {Slot::environmentSpecular, "even", 90, 0.6},
+                    {Slot::environmentSpecular, "split_sum", 100, 0.12},
+                    {Slot::environmentSpecular, "vndf_bounded", 3300, 0.05},
+                    {Slot::environmentSpecular, "vndf_lamps", 8500, 0.01},
+                    {Slot::dfg, "table", 100, 0.0},
+                    {Slot::dfg, "narkowicz", 95, 0.01}});
+}
+
+const brdf::Preset& standard()
+{
+    return *brdf::findPreset("standard");
+}
+
+// Half of the light by the body and half by the lobe.
+const std::vector<SeenSurface> kSurfaces = {
+    {.perceptualRoughness = 0.4, .NoV = 0.7, .f0 = 0.5, .body = 0.5, .lobe = 0.5, .spheres = 0.0}};
+constexpr LadderScene kLit = {.environment = true, .even = false, .lamps = true, .spheres = false};
+
+TolerancePlan planFor(double tolerance, const LadderScene& scene = kLit, std::vector<Slot> fixed = {})
+{
+    return planTolerance(usual(), {.mean = tolerance, .percentile99 = {}}, standard(), fixed, kSurfaces, scene);
+}
+
+const MethodLadder& ladderFor(const TolerancePlan& plan, Slot slot)
+{
+    return *std::ranges::find(plan.ladders, slot, &MethodLadder::slot);
+}
+
+TEST(MethodLadder, IsAFrontOfCostAndError)
+{
+    for (const MethodLadder& ladder : planFor(0.01).ladders)
+        for (std::size_t i = 1; i < ladder.rungs.size(); ++i) {
+            EXPECT_GT(ladder.rungs[i].cost, ladder.rungs[i - 1].cost);
+            EXPECT_LT(ladder.rungs[i].error, ladder.rungs[i - 1].error);
+        }
+}
+
+TEST(MethodLadder, WeighsErrorsByTheSlotsShareOfTheLight)
+{
+    const TolerancePlan plan = planFor(0.01);
+    EXPECT_DOUBLE_EQ(ladderFor(plan, Slot::environmentSpecular).rungs.front().error, 0.5 * 0.12);
+    EXPECT_DOUBLE_EQ(ladderFor(plan, Slot::dfg).rungs.front().error, 0.01);
+}
+
+TEST(MethodLadder, TakesTheTruthsNoiseOutOfErrors)
+{
+    MethodTable table = usual();
+    table.rows[1].error->noise = 0.08 / (0.798 / 2.13); // all of it is noise
+    EXPECT_NEAR(expectedError(table, table.rows[1], kSurfaces), 0.0, 1e-9);
+    table.rows[1].error->noise *= 0.6;
+    EXPECT_NEAR(expectedError(table, table.rows[1], kSurfaces), 0.5 * 0.08 * 0.8, 1e-9);
+}
+
+TEST(MethodLadder, ReadsTheCellOfTheSurface)
+{
+    MethodTable table = usual();
+    std::vector<double>& cells = table.rows[4].error->cells; // two reflectances, two roughnesses, one column
+    cells = {0.1, 0.2, 0.3, 0.4};
+    const auto errorOf = [&](double f0, double roughness) {
+        const SeenSurface surface = {
+            .perceptualRoughness = roughness, .NoV = 0.7, .f0 = f0, .body = 0.0, .lobe = 1.0, .spheres = 0.0};
+        return expectedError(table, table.rows[4], std::span(&surface, 1));
+    };
+    EXPECT_DOUBLE_EQ(errorOf(0.1, 0.1), 0.1);
+    EXPECT_DOUBLE_EQ(errorOf(0.1, 0.9), 0.2);
+    EXPECT_DOUBLE_EQ(errorOf(0.9, 0.1), 0.3);
+    EXPECT_DOUBLE_EQ(errorOf(0.9, 0.9), 0.4);
+    cells[3] = std::nan("");
+    EXPECT_DOUBLE_EQ(errorOf(0.9, 0.9), 0.12) << "a black cell says nothing: the mean stands for it";
+}
+
+TEST(TolerancePlan, TakesTheCheapestWithinTheSlotsShare)
+{
+    const TolerancePlan coarse = planFor(0.4), fine = planFor(0.01);
+    EXPECT_EQ(ladderFor(coarse, Slot::environmentDiffuse).taken().method->id, "sh4"); // 4 % of an eighth of 40 %
+    EXPECT_EQ(ladderFor(fine, Slot::environmentDiffuse).taken().method->id, "irradiance_cube");
+    EXPECT_EQ(ladderFor(coarse, Slot::dfg).taken().method->id, "narkowicz");
+    EXPECT_EQ(ladderFor(fine, Slot::dfg).taken().method->id, "table");
+    EXPECT_EQ(ladderFor(fine, Slot::environmentSpecular).taken().method->id, "split_sum");
+}
+
+TEST(TolerancePlan, RefusesWhatIsOutsideItsDomainAndSaysSo)
+{
+    const TolerancePlan plan = planFor(1.0);
+    for (const Slot slot : {Slot::environmentDiffuse, Slot::environmentSpecular}) {
+        const MethodLadder& ladder = ladderFor(plan, slot);
+        EXPECT_EQ(std::ranges::count(ladder.rungs, method(slot, "even"), &Rung::method), 0);
+        EXPECT_EQ(std::ranges::count(ladder.refused, method(slot, "even"), &RefusedMethod::method), 1);
+    }
+    LadderScene full = kLit;
+    full.lamps = false;
+    const TolerancePlan without = planFor(0.01, full);
+    for (const Rung& rung : ladderFor(without, Slot::environmentSpecular).rungs)
+        EXPECT_NE(rung.method->id, "vndf_lamps");
+    bool said = false;
+    for (const Remark& remark : remarksOf(without))
+        said |= remark.choice == "not vndf_lamps";
+    EXPECT_TRUE(said);
+}
+
+// What needs nothing gets nothing: no map, no table.
+TEST(TolerancePlan, AnEvenEnvironmentIsItsMean)
+{
+    LadderScene even = kLit;
+    even.even = true;
+    const Settings drawn = settingsOf(planFor(0.1, even), Settings{.methods = standard()});
+    EXPECT_EQ(drawn.methods.environmentDiffuse->id, "even");
+    EXPECT_EQ(drawn.methods.environmentSpecular->id, "even");
+    EXPECT_EQ(drawn.methods.dfg->id, "narkowicz");
+}
+
+TEST(TolerancePlan, LeavesAloneWhatWasAskedForByNameAndWhatHasNothingToDo)
+{
+    const TolerancePlan fixed = planFor(0.4, kLit, {Slot::environmentDiffuse});
+    EXPECT_EQ(std::ranges::count(fixed.ladders, Slot::environmentDiffuse, &MethodLadder::slot), 0);
+    EXPECT_TRUE(planFor(0.4, {}).ladders.empty());
+    EXPECT_EQ(std::ranges::count(fixed.ladders, Slot::areaLight, &MethodLadder::slot), 0);
+}
+
+TEST(TolerancePlan, StepsUpToWhatTheTableSaysIsEnough)
+{
+    TolerancePlan plan = planFor(0.01);
+    ASSERT_TRUE(stepUp(plan, 0.08));
+    // Half of the light: 0.5 0.01 sqrt(64 / n) <= 0.75 %, so that n >= 28.4.
+    EXPECT_EQ(ladderFor(plan, Slot::environmentSpecular).taken().method->id, "vndf_lamps");
+    EXPECT_EQ(ladderFor(plan, Slot::environmentSpecular).taken().samples, 64);
+    // Three times what was expected: 3 0.5 0.01 sqrt(64 / n) <= 0.75 %, so that n >= 256.
+    ASSERT_TRUE(stepUp(plan, 0.01499));
+    EXPECT_EQ(ladderFor(plan, Slot::environmentSpecular).taken().samples, 256);
+    // At least one step, whatever is expected; and none above the highest.
+    ASSERT_TRUE(stepUp(plan, 1e-6));
+    EXPECT_EQ(ladderFor(plan, Slot::environmentSpecular).taken().samples, 1024);
+    EXPECT_FALSE(stepUp(plan, 0.5));
+}
+
+TEST(TolerancePlan, WritesItsChoiceIntoTheSettings)
+{
+    TolerancePlan plan = planFor(0.01);
+    stepUp(plan, 0.08);
+    const Settings drawn = settingsOf(plan, Settings{.methods = standard()});
+    EXPECT_EQ(drawn.methods.environmentSpecular->id, "vndf_lamps");
+    EXPECT_EQ(drawn.environmentSamples, 64);
+    EXPECT_EQ(drawn.methods.distribution, standard().distribution) << "the model stays as it was asked for";
+}
+
+} // namespace
+} // namespace torrance

@@ -1,0 +1,127 @@
+#include "prepare/environment_lamps.h"
+
+#include "math/cube.h"
+
+#include <gtest/gtest.h>
+
+namespace torrance {
+namespace {
+
+constexpr int kSize = 32;
+const dvec3 kSun = glm::normalize(dvec3(0.3, 0.8, -0.4)), kWindow = glm::normalize(dvec3(-1.0, 0.1, 0.2));
+
+// A sky, a small sun and a window, whose mean would not show the sky.
+dvec3 sky(const dvec3& d)
+{
+    dvec3 radiance = dvec3(0.4, 0.5, 0.7) * (1.0 + 0.3 * d.y);
+    if (glm::dot(d, kSun) > 0.997)
+        radiance += dvec3(2000.0, 1800.0, 1500.0);
+    if (glm::dot(d, kWindow) > 0.95)
+        radiance += dvec3(12.0);
+    return radiance;
+}
+
+std::vector<float> cubeOf(dvec3 (*radiance)(const dvec3&))
+{
+    std::vector<float> texels;
+    for (int face = 0; face < kCubeFaces; ++face)
+        for (int y = 0; y < kSize; ++y)
+            for (int x = 0; x < kSize; ++x) {
+                const dvec3 value = radiance(cubeTexelDirection(face, x, y, kSize));
+                texels.insert(texels.end(), {float(value.r), float(value.g), float(value.b), 1.0f});
+            }
+    return texels;
+}
+
+template <typename Function>
+void forEachTexel(const Function& f)
+{
+    for (int face = 0; face < kCubeFaces; ++face)
+        for (int y = 0; y < kSize; ++y)
+            for (int x = 0; x < kSize; ++x)
+                f(4 * cubeTexelIndex(face, x, y, kSize), cubeTexelDirection(face, x, y, kSize),
+                  cubeTexelSolidAngle(x, y, kSize));
+}
+
+TEST(EnvironmentLamps, BothPartsAreTheWholeAndTheRestIsGentle)
+{
+    const std::vector<float> whole = cubeOf(sky);
+    const EnvironmentLamps split = splitLamps(whole, kSize, 64);
+    // The sky's mean over the sphere is 8/15, of which at most kLampFactor stay.
+    forEachTexel([&](std::size_t i, const dvec3& d, double) {
+        const std::vector<float>&rest = split.rest.data[0], &lamps = split.lamps.data[0];
+        double mean = 0.0;
+        for (std::size_t c = 0; c < 3; ++c) {
+            EXPECT_NEAR(rest[i + c] + lamps[i + c], whole[i + c], 1e-6f * whole[i + c]);
+            mean += rest[i + c] / 3.0;
+        }
+        EXPECT_LT(mean, kLampFactor * 1.2 * 8.0 / 15.0);
+        const bool shines = glm::dot(d, kSun) > 0.997 || glm::dot(d, kWindow) > 0.95;
+        EXPECT_EQ(lamps[i] > 0.0f, shines);
+    });
+}
+
+TEST(EnvironmentLamps, PointsHaveTheLightOfTheLampsAndADensity)
+{
+    double before = 0.0;
+    for (const int count : {6, 64, 256}) {
+        const EnvironmentLamps split = splitLamps(cubeOf(sky), kSize, count);
+        ASSERT_EQ(split.points.size(), static_cast<std::size_t>(count));
+        dvec3 energy(0.0), expected(0.0);
+        double covered = 0.0; // integral of the density where lamps shine: below 1, for regions reach beyond them
+        for (const brdf::LampPoint& point : split.points)
+            energy += point.energy;
+        forEachTexel([&](std::size_t i, const dvec3&, double omega) {
+            const float* lamp = &split.lamps.data[0][i];
+            expected += omega * dvec3(lamp[0], lamp[1], lamp[2]);
+            const double mean = (double(lamp[0]) + double(lamp[1]) + double(lamp[2])) / 3.0;
+            covered += mean > 0.0 ? omega * lamp[3] / mean : 0.0;
+        });
+        EXPECT_LT(glm::distance(energy, expected), 1e-5 * glm::length(expected)) << count;
+        EXPECT_LE(covered, 1.0 + 1e-5) << count;
+        EXPECT_GT(covered, before) << count << " regions fit the lamps better than fewer";
+        before = covered;
+    }
+}
+
+// More points lie nearer to what they stand for: the mean distance of lamps' light from its point falls like the root of
+// their number, as regions of a plane do.
+TEST(EnvironmentLamps, MorePointsAreNearerToTheirLight)
+{
+    const std::vector<float> whole = cubeOf(sky);
+    const auto meanDistance = [&](int count) {
+        const EnvironmentLamps split = splitLamps(whole, kSize, count);
+        double distance = 0.0, light = 0.0;
+        forEachTexel([&](std::size_t i, const dvec3& d, double omega) {
+            const double mean = split.lamps.data[0][i] * omega;
+            if (!(mean > 0.0))
+                return;
+            double nearest = 2.0;
+            for (const brdf::LampPoint& point : split.points)
+                if (point.density > 0.0)
+                    nearest = std::min(nearest, glm::distance(point.direction, d));
+            distance += mean * nearest;
+            light += mean;
+        });
+        return distance / light;
+    };
+    EXPECT_LT(meanDistance(64), 0.5 * meanDistance(8));
+}
+
+TEST(EnvironmentLamps, AnEvenOrDarkSkyHasNone)
+{
+    for (const auto& radiance : {+[](const dvec3&) { return dvec3(3.0); }, +[](const dvec3&) { return dvec3(0.0); }}) {
+        const std::vector<float> whole = cubeOf(radiance);
+        const EnvironmentLamps split = splitLamps(whole, kSize, 64);
+        EXPECT_EQ(split.points.size(), 64u);
+        for (const brdf::LampPoint& point : split.points)
+            EXPECT_EQ(point.energy, dvec3(0.0));
+        forEachTexel([&](std::size_t i, const dvec3&, double) {
+            EXPECT_EQ(split.rest.data[0][i], whole[i]);
+            EXPECT_EQ(split.lamps.data[0][i], 0.0f);
+        });
+    }
+}
+
+} // namespace
+} // namespace torrance
