@@ -42,6 +42,7 @@ struct Options
     std::string choice = "combined";
     std::uint64_t seed = 0;
     std::string yardstick = "model";
+    bool transport = false;
     bool resume = false;
     double checkpointSeconds = 30.0;
     SceneOptions scene;
@@ -109,6 +110,9 @@ void declare(CLI::App& app, Options& o)
     addChoice(app, "--yardstick", o.yardstick, {"model", "physics"},
               "model (default): the methods asked for, integrated exactly; physics: full Fresnel, random walks between "
               "facets, an energy-preserving body");
+    app.add_flag(
+        "--transport", o.transport,
+        "Shadows and interreflection, too, by paths: --samples counts paths of each surface that a pixel sees");
     declareSampling(app, o);
     declareCheckpoints(app, o);
     declareCameraOptions(app, o.camera);
@@ -171,6 +175,7 @@ ReferenceSettings settingsOf(const Options& o)
     ReferenceSettings settings;
     settings.methods = chooseMethods(o.methods);
     settings.physics = o.yardstick == "physics";
+    settings.transport = o.transport;
     brdf::requireWholeBrdf(settings.methods);
     checkIntegrable(settings.methods, o.environment);
     settings.width = size.x;

@@ -88,13 +88,22 @@ double valueOf(Node& node, const Function& compute)
     return value;
 }
 
+AlbedoTerms termsOfNode(int column, int row)
+{
+    const double r = roughnessAt(row / (kRoughnesses - 1.0));
+    return ggxAlbedo(cosineAt(column / (kCosines - 1.0), r), r);
+}
+
 double albedoNode(int column, int row)
 {
     static std::array<Node, kCosines * kRoughnesses> nodes;
-    return valueOf(nodes[row * kCosines + column], [&] {
-        const double r = roughnessAt(row / (kRoughnesses - 1.0));
-        return ggxAlbedo(cosineAt(column / (kCosines - 1.0), r), r).albedo();
-    });
+    return valueOf(nodes[row * kCosines + column], [&] { return termsOfNode(column, row).albedo(); });
+}
+
+double biasNode(int column, int row)
+{
+    static std::array<Node, kCosines * kRoughnesses> nodes;
+    return valueOf(nodes[row * kCosines + column], [&] { return termsOfNode(column, row).bias; });
 }
 
 double averageNode(int row)
@@ -105,15 +114,33 @@ double averageNode(int row)
 
 } // namespace
 
-double lobeAlbedoFromTable(double NoV, double perceptualRoughness)
+namespace {
+
+/// What `node` gives at the nodes about a place, by both stencils.
+template <typename NodeValue>
+double interpolated(double NoV, double perceptualRoughness, const NodeValue& node)
 {
     const Stencil columns = stencilAt(cosineCoordinate(NoV, perceptualRoughness), kCosines);
     const Stencil rows = stencilAt(roughnessCoordinate(perceptualRoughness), kRoughnesses);
     double sum = 0.0;
     for (int j = 0; j < kPoints; ++j)
         for (int i = 0; i < kPoints; ++i)
-            sum += rows.weights[j] * columns.weights[i] * albedoNode(columns.first + i, rows.first + j);
+            sum += rows.weights[j] * columns.weights[i] * node(columns.first + i, rows.first + j);
     return sum;
+}
+
+} // namespace
+
+double lobeAlbedoFromTable(double NoV, double perceptualRoughness)
+{
+    return interpolated(NoV, perceptualRoughness, albedoNode);
+}
+
+AlbedoTerms lobeTermsFromTable(double NoV, double perceptualRoughness)
+{
+    const double E = lobeAlbedoFromTable(NoV, perceptualRoughness);
+    const double bias = interpolated(NoV, perceptualRoughness, biasNode);
+    return {E - bias, bias};
 }
 
 double averageLobeAlbedoFromTable(double perceptualRoughness)
