@@ -116,31 +116,49 @@ double averageNode(int row)
 
 namespace {
 
-/// What `node` gives at the nodes about a place, by both stencils.
-template <typename NodeValue>
-double interpolated(double NoV, double perceptualRoughness, const NodeValue& node)
+/// The nodes about a place, with the weights of both coordinates.
+struct Neighbours
 {
-    const Stencil columns = stencilAt(cosineCoordinate(NoV, perceptualRoughness), kCosines);
-    const Stencil rows = stencilAt(roughnessCoordinate(perceptualRoughness), kRoughnesses);
-    double sum = 0.0;
-    for (int j = 0; j < kPoints; ++j)
-        for (int i = 0; i < kPoints; ++i)
-            sum += rows.weights[j] * columns.weights[i] * node(columns.first + i, rows.first + j);
-    return sum;
-}
+    Stencil columns, rows;
+
+    Neighbours(double NoV, double perceptualRoughness)
+        : columns(stencilAt(cosineCoordinate(NoV, perceptualRoughness), kCosines)),
+          rows(stencilAt(roughnessCoordinate(perceptualRoughness), kRoughnesses))
+    {
+    }
+
+    double interpolate(double (*node)(int column, int row)) const
+    {
+        double sum = 0.0;
+        for (int j = 0; j < kPoints; ++j)
+            for (int i = 0; i < kPoints; ++i)
+                sum += rows.weights[j] * columns.weights[i] * node(columns.first + i, rows.first + j);
+        return sum;
+    }
+};
+
+struct Kept
+{
+    double NoV = -1.0, perceptualRoughness = -1.0;
+    AlbedoTerms terms;
+};
 
 } // namespace
 
 double lobeAlbedoFromTable(double NoV, double perceptualRoughness)
 {
-    return interpolated(NoV, perceptualRoughness, albedoNode);
+    return Neighbours(NoV, perceptualRoughness).interpolate(albedoNode);
 }
 
 AlbedoTerms lobeTermsFromTable(double NoV, double perceptualRoughness)
 {
-    const double E = lobeAlbedoFromTable(NoV, perceptualRoughness);
-    const double bias = interpolated(NoV, perceptualRoughness, biasNode);
-    return {E - bias, bias};
+    thread_local Kept kept;
+    if (kept.NoV != NoV || kept.perceptualRoughness != perceptualRoughness) {
+        const Neighbours neighbours(NoV, perceptualRoughness);
+        const double bias = neighbours.interpolate(biasNode);
+        kept = {NoV, perceptualRoughness, {neighbours.interpolate(albedoNode) - bias, bias}};
+    }
+    return kept.terms;
 }
 
 double averageLobeAlbedoFromTable(double perceptualRoughness)

@@ -11,7 +11,8 @@ namespace torrance::brdf {
 /// depends on the arguments alone, and any number of threads may ask.
 double lobeAlbedoFromTable(double NoV, double perceptualRoughness);
 
-/// lobeTerms with E of lobeAlbedoFromTable and the bias as near to its own: for whoever asks of a point once.
+/// lobeTerms with E of lobeAlbedoFromTable and the bias as near to its own: for whoever asks of a point a few
+/// times. The last ones are kept, per thread.
 AlbedoTerms lobeTermsFromTable(double NoV, double perceptualRoughness);
 
 /// averageLobeAlbedo within 1e-6 of it, in the same manner.
