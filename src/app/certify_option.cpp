@@ -10,7 +10,7 @@
 namespace torrance {
 namespace {
 
-constexpr const char* kUsage = "it takes a number of pixels, sampling, or both: --certify=512,sampling";
+constexpr const char* kUsage = "it takes a number of pixels, sampling, transport: --certify=512,sampling,transport";
 
 int pixelsOf(const std::string& text)
 {
@@ -32,9 +32,10 @@ void declareCertifyOption(CLI::App& app, CertifyOption& option)
 {
     option.given = app.add_option("--certify", option.text,
                                   "Compare N covered pixels (default 512) with their exact light, and write "
-                                  "OUT.certificate.json; sampling: the error of pixel and texture filtering, too")
+                                  "OUT.certificate.json; sampling: the error of pixel and texture filtering, too; "
+                                  "transport: that of missing shadows and interreflection")
                        ->group("Output")
-                       ->type_name("N|sampling")
+                       ->type_name("N|sampling|transport")
                        ->expected(0, 1);
 }
 
@@ -47,11 +48,10 @@ std::optional<CertificateRequest> chosenCertificate(const CertifyOption& option)
         throw usageError("--certify " + option.text + ": ends in a comma", kUsage);
     std::istringstream parts(option.text);
     for (std::string part; std::getline(parts, part, ',');) {
-        if (part == "transport")
-            throw usageError("--certify=transport: does not exist yet: nothing traces shadows and interreflection",
-                             "leave it out; the certificate lists them as not vouched for");
         if (part == "sampling")
             request.sampling = true;
+        else if (part == "transport")
+            request.transport = true;
         else
             request.pixels = pixelsOf(part);
     }

@@ -158,8 +158,12 @@ void checkYardstick(const Options& o)
 
 // The integral of a source over an environment is that of its BRDF; phong adds its ambient part once per light, and a
 // whole sphere of lights has no end of them.
-void checkIntegrable(const brdf::Preset& methods, const EnvironmentOptions& environment)
+void checkIntegrable(const brdf::Preset& methods, const EnvironmentOptions& environment, bool transport)
 {
+    if (methods.model->id == "phong" && transport)
+        throw usageError("--transport: the preset " + std::string(methods.id) +
+                             " is no BRDF, so that no light goes on from one surface to another",
+                         "leave one of them out");
     if (methods.model->id == "phong" && !environment.name.empty() && environment.name != "none")
         throw usageError("the preset " + std::string(methods.id) +
                              " is no BRDF, so that light from an environment has no integral",
@@ -177,7 +181,7 @@ ReferenceSettings settingsOf(const Options& o)
     settings.physics = o.yardstick == "physics";
     settings.transport = o.transport;
     brdf::requireWholeBrdf(settings.methods);
-    checkIntegrable(settings.methods, o.environment);
+    checkIntegrable(settings.methods, o.environment, o.transport);
     settings.width = size.x;
     settings.height = size.y;
     settings.pixelSamples = o.pixelSamples;

@@ -7,6 +7,7 @@
 #include "plan/level_plan.h"
 #include "plan/pixel_sampling_plan.h"
 #include "study/error_numbers.h"
+#include "study/transport_part.h"
 
 #include <algorithm>
 #include <cmath>
@@ -162,6 +163,19 @@ void addSamplingPart(const Scene& scene, const Camera& camera, const Settings& s
     certificate.both = errorNumbers(looked.strata, both, meanNorm);
 }
 
+void addTransportPart(const Scene& scene, const Camera& camera, const Settings& settings, const Image& drawn,
+                      const Looked& looked, const std::vector<CoveredPixel>& covered, Certificate& certificate)
+{
+    CertifiedSample sample = {looked.strata, {}, std::span(looked.truths).first(looked.sampled), {}};
+    for (std::size_t i = 0; i < looked.sampled; ++i) {
+        sample.pixels.push_back(covered[looked.pixels[i]]);
+        sample.drawn.push_back(colorAt(drawn, sample.pixels.back()));
+    }
+    const TransportPart part = transportPart(scene, camera, settings, certificate.request, sample);
+    certificate.transport = part.transport;
+    certificate.shadingAndTransport = part.both;
+}
+
 } // namespace
 
 ReferenceSettings exactSettings(const Settings& settings, const CertificateRequest& request)
@@ -217,12 +231,14 @@ Certificate certify(const Scene& scene, const Camera& camera, const Settings& se
         certificate.worseShare = 1.0 - std::pow(0.05, 1.0 / static_cast<double>(looked.sampled));
     if (request.sampling)
         addSamplingPart(scene, camera, settings, drawn, looked, covered, certificate);
+    if (request.transport)
+        addTransportPart(scene, camera, settings, drawn, looked, covered, certificate);
     for (const std::size_t pixel : looked.pixels)
         certificate.pixels.push_back({covered[pixel].x, covered[pixel].y, colorAt(drawn, covered[pixel])});
     std::vector<dvec2> places;
     for (std::size_t i = 0; i < looked.sampled; ++i)
         places.emplace_back(certificate.pixels[i].x + 0.5, certificate.pixels[i].y + 0.5);
-    certificate.unvouched = unvouchedEffects(estimator, request.sampling, places);
+    certificate.unvouched = unvouchedEffects(estimator, request.sampling, request.transport, places);
     return certificate;
 }
 
