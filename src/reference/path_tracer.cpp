@@ -1,9 +1,7 @@
 #include "reference/path_tracer.h"
 
-#include "math/frame.h"
-#include "reference/bounce_directions.h"
 #include "reference/emission.h"
-#include "reference/off_surface.h"
+#include "reference/path_vertex.h"
 
 #include <algorithm>
 #include <cmath>
@@ -47,105 +45,11 @@ std::size_t chosen(const std::vector<double>& shares, double u)
 
 } // namespace
 
-/// What one surface of a path is drawn with, all in [0, 1).
-struct PathTracer::Numbers
+PathTracer::PathTracer(const RayCaster& caster, const Yardstick& y, const EnvironmentSampler* e, DirectionChoice c)
+    : rays(caster), yardstick(y), environment(e), choice(c), emitters(caster)
 {
-    dvec2 bounce, environment, emitter, sphere;
-    double whichEmitter, whichSphere, whichPoint;
-    std::uint64_t walk; // of yardsticks that are random themselves
-
-    /// Of a surface that the eye sees: points that are even over the paths of one sum, each kind of its own sequence.
-    /// What is added up from one sequence must not be paired with another's, for these are scrambled, not shuffled.
-    Numbers(const std::array<ScrambledSequence, 4>& sequences, std::uint32_t i, NumberStream& stream) : Numbers(stream)
-    {
-        bounce = sequences[0][i];
-        environment = sequences[1][i];
-        emitter = sequences[2][i];
-        sphere = sequences[3][i];
-    }
-
-    /// Of every other surface.
-    explicit Numbers(NumberStream& stream)
-        : bounce(pair(stream)), environment(pair(stream)), emitter(pair(stream)), sphere(pair(stream)),
-          whichEmitter(stream.next()), whichSphere(stream.next()), whichPoint(stream.next()),
-          walk(static_cast<std::uint64_t>(stream.next() * 0x1p52))
-    {
-    }
-
-    static dvec2 pair(NumberStream& stream)
-    {
-        const double x = stream.next(); // of two arguments nobody says which is evaluated first
-        return {x, stream.next()};
-    }
-};
-
-/// A surface of a path, ready to be asked what it does with light.
-struct PathTracer::Vertex
-{
-    const SurfacePoint& surface;
-    const MaterialPoint& material;
-    dmat3 worldFromLocal; // local: the shading normal is +Z
-    dvec3 view;           // local
-    Reflectance reflectance;
-    BounceDirections directions;
-    dvec3 start; // of rays that leave it
-
-    Vertex(const PathTracer& tracer, const SurfacePoint& s, const MaterialPoint& m)
-        : surface(s), material(m), worldFromLocal(frameAround(m.normal)), view(s.view * worldFromLocal),
-          reflectance(tracer.yardstick, m, view, ResponsePart::whole, true), directions(m, view),
-          start(offSurface(tracer.caster.origin(), s.position, s.geometricNormal))
-    {
-    }
-
-    /// Light from below the shading horizon has no reflection, and light from below the surface does not arrive.
-    bool faces(const dvec3& direction) const
-    {
-        return glm::dot(direction, material.normal) > 0.0 && glm::dot(direction, surface.geometricNormal) > 0.0;
-    }
-};
-
-PathTracer::PathTracer(const RayCaster& rays, const Yardstick& y, const EnvironmentSampler* e, DirectionChoice c)
-    : caster(rays), yardstick(y), environment(e), choice(c), emitters(rays)
-{
-    const Scene& scene = caster.scene();
-    for (const Light& light : scene.lights)
+    for (const Light& light : caster.scene().lights)
         (isSphere(light) ? spheres : points).push_back(light);
-    if (std::ranges::any_of(scene.materials, [](const Material& m) { return m.alphaMode != AlphaMode::opaque; }))
-        isThere = [this](const Hit& hit) {
-            const Scene& s = caster.scene();
-            return materialOf(s, materialIndexOf(s, hit)).alphaMode == AlphaMode::opaque ||
-                   coverageAt(s, makeSurfacePoint(caster, Ray(), hit)) > 0.0;
-        };
-}
-
-double PathTracer::transmittance(const dvec3& from, const dvec3& direction, double farthest) const
-{
-    const Ray ray = {from, direction};
-    if (!isThere)
-        return caster.blocked(ray, farthest) ? 0.0 : 1.0;
-    double through = 1.0;
-    for (double beyond = 0.0; through > 0.0;) {
-        const std::optional<Hit> hit = caster.closest(ray, beyond, isThere, Faces::both);
-        if (!hit || !(hit->distance < farthest))
-            break;
-        through *= 1.0 - coverageAt(caster.scene(), makeSurfacePoint(caster, ray, *hit));
-        beyond = hit->distance;
-    }
-    return through;
-}
-
-std::optional<PathTracer::Met> PathTracer::nextSurface(const Ray& ray, NumberStream& stream) const
-{
-    for (double beyond = 0.0;;) {
-        const std::optional<Hit> hit = caster.closest(ray, beyond, isThere, Faces::both);
-        if (!hit)
-            return std::nullopt;
-        Met met = {*hit, makeSurfacePoint(caster, ray, *hit), {}};
-        met.material = makeMaterialPoint(caster.scene(), met.surface);
-        if (met.material.alpha >= 1.0 || stream.next() < met.material.alpha)
-            return met;
-        beyond = hit->distance;
-    }
 }
 
 double PathTracer::weightOfBounce(double bounce, double light) const
@@ -162,7 +66,7 @@ double PathTracer::weightOfBounce(double bounce, double light) const
 }
 
 /// f L NoL over the density of the light's own draws and, where both are made, that of the path's.
-dvec3 PathTracer::contribution(const Vertex& vertex, const dvec3& direction, const DirectedLight& light,
+dvec3 PathTracer::contribution(const PathVertex& vertex, const dvec3& direction, const DirectedLight& light,
                                std::uint64_t key) const
 {
     if (!vertex.faces(direction) || !(light.density > 0.0) || light.radiance == dvec3(0.0))
@@ -172,14 +76,14 @@ dvec3 PathTracer::contribution(const Vertex& vertex, const dvec3& direction, con
     return vertex.reflectance(l, key) * light.radiance / (light.density + bounce);
 }
 
-dvec3 PathTracer::drawnEnvironment(const Vertex& vertex, const Numbers& numbers) const
+dvec3 PathTracer::drawnEnvironment(const PathVertex& vertex, const PathNumbers& numbers) const
 {
     const dvec3 direction = environment->draw(numbers.environment);
     const dvec3 light = contribution(vertex, direction, environment->at(direction), numbers.walk);
-    return light == dvec3(0.0) ? light : light * transmittance(vertex.start, direction, kInfinity);
+    return light == dvec3(0.0) ? light : light * rays.transmittance(vertex.start, direction, kInfinity);
 }
 
-dvec3 PathTracer::drawnEmitter(const Vertex& vertex, const Numbers& numbers) const
+dvec3 PathTracer::drawnEmitter(const PathVertex& vertex, const PathNumbers& numbers) const
 {
     const auto sample = emitters.draw(vertex.surface.position, numbers.whichEmitter, numbers.emitter);
     if (!sample)
@@ -189,61 +93,62 @@ dvec3 PathTracer::drawnEmitter(const Vertex& vertex, const Numbers& numbers) con
         return light;
     const dvec3 way = sample->target - vertex.start;
     const double distance = glm::length(way);
-    return distance > 0.0 ? light * transmittance(vertex.start, way / distance, distance) : light;
+    return distance > 0.0 ? light * rays.transmittance(vertex.start, way / distance, distance) : light;
 }
 
-std::vector<double> PathTracer::sharesOf(const Vertex& vertex, const std::vector<Light>& lights) const
+std::vector<double> PathTracer::sharesOf(const PathVertex& vertex, const std::vector<Light>& lights) const
 {
     std::vector<double> shares(lights.size());
     double sum = 0.0;
     for (std::size_t i = 0; i < lights.size(); ++i)
-        sum += shares[i] = brightest(sampleLight(lights[i], caster.origin(), vertex.surface.position).irradiance);
+        sum += shares[i] = brightest(sampleLight(lights[i], rays.caster.origin(), vertex.surface.position).irradiance);
     for (double& share : shares)
         share = sum > 0.0 ? share / sum : 0.0;
     return shares;
 }
 
-dvec3 PathTracer::drawnSphere(const Vertex& vertex, const Numbers& numbers) const
+dvec3 PathTracer::drawnSphere(const PathVertex& vertex, const PathNumbers& numbers) const
 {
     const std::vector<double> shares = sharesOf(vertex, spheres);
     const std::size_t i = chosen(shares, numbers.whichSphere);
-    const SphereLight sphere(spheres[i], caster.origin(), vertex.surface.position);
+    const SphereLight sphere(spheres[i], rays.caster.origin(), vertex.surface.position);
     const dvec3 direction = sphere.draw(numbers.sphere);
     DirectedLight drawn = sphere.at(direction);
     drawn.density *= shares[i];
     const dvec3 light = contribution(vertex, direction, drawn, numbers.walk + 2);
     if (light == dvec3(0.0))
         return light;
-    return light * transmittance(vertex.start, direction,
-                                 distanceToSphere(spheres[i], caster.origin(), vertex.surface.position, direction));
+    return light *
+           rays.transmittance(vertex.start, direction,
+                              distanceToSphere(spheres[i], rays.caster.origin(), vertex.surface.position, direction));
 }
 
-dvec3 PathTracer::spheresMet(const Vertex& vertex, const Bounce& bounce, double farthest) const
+dvec3 PathTracer::spheresMet(const PathVertex& vertex, const Bounce& bounce, double farthest) const
 {
     const std::vector<double> shares = sharesOf(vertex, spheres);
     dvec3 sum(0.0);
     for (std::size_t i = 0; i < spheres.size(); ++i) {
         const dvec3& position = vertex.surface.position;
-        const DirectedLight light = SphereLight(spheres[i], caster.origin(), position).at(bounce.direction);
+        const DirectedLight light = SphereLight(spheres[i], rays.caster.origin(), position).at(bounce.direction);
         if (light.radiance != dvec3(0.0) &&
-            distanceToSphere(spheres[i], caster.origin(), position, bounce.direction) < farthest)
+            distanceToSphere(spheres[i], rays.caster.origin(), position, bounce.direction) < farthest)
             sum += light.radiance * weightOfBounce(bounce.density, shares[i] * light.density);
     }
     return sum;
 }
 
-dvec3 PathTracer::pointLight(const Vertex& vertex, const Light& light) const
+dvec3 PathTracer::pointLight(const PathVertex& vertex, const Light& light) const
 {
-    const LightSample sample = sampleLight(light, caster.origin(), vertex.surface.position);
+    const LightSample sample = sampleLight(light, rays.caster.origin(), vertex.surface.position);
     if (sample.irradiance == dvec3(0.0) || !vertex.faces(sample.direction))
         return dvec3(0.0);
     const double distance = light.kind == Light::Kind::directional
                                 ? kInfinity
-                                : glm::length(light.position - caster.origin() - vertex.surface.position);
-    return sample.irradiance * transmittance(vertex.start, sample.direction, distance);
+                                : glm::length(light.position - rays.caster.origin() - vertex.surface.position);
+    return sample.irradiance * rays.transmittance(vertex.start, sample.direction, distance);
 }
 
-dvec3 PathTracer::drawnPoint(const Vertex& vertex, const Numbers& numbers) const
+dvec3 PathTracer::drawnPoint(const PathVertex& vertex, const PathNumbers& numbers) const
 {
     const std::vector<double> shares = sharesOf(vertex, points);
     const std::size_t i = chosen(shares, numbers.whichPoint);
@@ -252,25 +157,25 @@ dvec3 PathTracer::drawnPoint(const Vertex& vertex, const Numbers& numbers) const
     const dvec3 irradiance = pointLight(vertex, points[i]) / shares[i];
     if (irradiance == dvec3(0.0))
         return irradiance;
-    const dvec3 direction = sampleLight(points[i], caster.origin(), vertex.surface.position).direction;
+    const dvec3 direction = sampleLight(points[i], rays.caster.origin(), vertex.surface.position).direction;
     return irradiance * vertex.reflectance(direction * vertex.worldFromLocal, numbers.walk + 3);
 }
 
 dvec3 PathTracer::exactLight(const VisibleSurface& seen) const
 {
-    dvec3 light = emittedRadiance(caster.scene(), seen.surface, seen.material);
+    dvec3 light = emittedRadiance(rays.caster.scene(), seen.surface, seen.material);
     if (seen.material.unlit || std::holds_alternative<const InterfaceAlbedo*>(yardstick))
         return light;
-    const Vertex vertex(*this, seen.surface, seen.material);
+    const PathVertex vertex(yardstick, rays.caster.origin(), seen.surface, seen.material);
     for (const Light& point : points)
         if (const dvec3 irradiance = pointLight(vertex, point); irradiance != dvec3(0.0)) {
-            const dvec3 direction = sampleLight(point, caster.origin(), seen.surface.position).direction;
+            const dvec3 direction = sampleLight(point, rays.caster.origin(), seen.surface.position).direction;
             light += irradiance * vertex.reflectance(direction * vertex.worldFromLocal, 0);
         }
     return light;
 }
 
-dvec3 PathTracer::lightAt(const Vertex& vertex, const Numbers& numbers, bool byEye) const
+dvec3 PathTracer::lightAt(const PathVertex& vertex, const PathNumbers& numbers, bool byEye) const
 {
     dvec3 light(0.0);
     const bool exact = byEye && std::holds_alternative<const brdf::Preset*>(yardstick); // in exactLight already
@@ -287,13 +192,13 @@ dvec3 PathTracer::lightAt(const Vertex& vertex, const Numbers& numbers, bool byE
     return light;
 }
 
-dvec3 PathTracer::path(const VisibleSurface& seen, const Numbers& first, NumberStream& stream) const
+dvec3 PathTracer::path(const VisibleSurface& seen, const PathNumbers& first, NumberStream& stream) const
 {
     dvec3 light(0.0), share(1.0); // what a surface sends out counts by the share
-    Met met = {{}, seen.surface, seen.material};
-    Numbers numbers = first;
+    PathSurface met = {{}, seen.surface, seen.material};
+    PathNumbers numbers = first;
     for (int surfaces = 1;; ++surfaces) {
-        const Vertex vertex(*this, met.surface, met.material);
+        const PathVertex vertex(yardstick, rays.caster.origin(), met.surface, met.material);
         light += share * lightAt(vertex, numbers, surfaces == 1);
         const dvec3 l = vertex.directions.draw(numbers.bounce);
         const Bounce bounce = {vertex.worldFromLocal * l, vertex.directions.density(l)};
@@ -302,7 +207,7 @@ dvec3 PathTracer::path(const VisibleSurface& seen, const Numbers& first, NumberS
         share *= vertex.reflectance(l, numbers.walk + 4) / bounce.density;
         if (share == dvec3(0.0))
             return light;
-        std::optional<Met> next = nextSurface({vertex.start, bounce.direction}, stream);
+        std::optional<PathSurface> next = rays.next({vertex.start, bounce.direction}, stream);
         if (!spheres.empty())
             light += share * spheresMet(vertex, bounce, next ? next->hit.distance : kInfinity);
         if (!next) {
@@ -312,7 +217,7 @@ dvec3 PathTracer::path(const VisibleSurface& seen, const Numbers& first, NumberS
             }
             return light;
         }
-        const dvec3 emitted = emittedRadiance(caster.scene(), next->surface, next->material);
+        const dvec3 emitted = emittedRadiance(rays.caster.scene(), next->surface, next->material);
         if (emitted != dvec3(0.0))
             light += share * emitted * weightOfBounce(bounce.density, emitters.density(next->hit, next->surface));
         if (next->material.unlit)
@@ -324,7 +229,7 @@ dvec3 PathTracer::path(const VisibleSurface& seen, const Numbers& first, NumberS
             share /= survival;
         }
         met = *next;
-        numbers = Numbers(stream);
+        numbers = PathNumbers(stream);
     }
 }
 
@@ -337,7 +242,7 @@ dvec3 PathTracer::sumOfTurns(const VisibleSurface& seen, std::uint64_t key, std:
     dvec3 sum(0.0);
     for (std::uint32_t i = first * kDirectionsPerTurn; i < (first + turns) * kDirectionsPerTurn; ++i) {
         NumberStream stream(hashNumbers({key, 4, i}));
-        const Numbers numbers(sequences, i, stream);
+        const PathNumbers numbers(sequences, i, stream);
         sum += path(seen, numbers, stream);
     }
     return sum;

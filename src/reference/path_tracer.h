@@ -1,15 +1,17 @@
 // Light that reaches the eye over any number of surfaces: shadows and interreflection.
 #pragma once
 
-#include "math/number_stream.h"
 #include "reference/emitters.h"
 #include "reference/light_integral.h"
+#include "reference/path_rays.h"
 #include "reference/visible_surfaces.h"
 
-#include <optional>
 #include <vector>
 
 namespace torrance {
+
+struct PathNumbers;
+struct PathVertex;
 
 /// So many surfaces of a path reflect without a draw of whether it goes on (Russian roulette): what most of the light
 /// goes over is not made noisier.
@@ -32,8 +34,6 @@ public:
     /// direction meets, are always asked.
     PathTracer(const RayCaster& caster, const Yardstick& yardstick, const EnvironmentSampler* environment,
                DirectionChoice choice);
-    PathTracer(const PathTracer&) = delete; // it refers to itself
-    PathTracer& operator=(const PathTracer&) = delete;
 
     /// What a surface sends to the eye that needs no path: what it emits, and the light of points where the yardstick
     /// is exact, less their shadows.
@@ -44,42 +44,31 @@ public:
     dvec3 sumOfTurns(const VisibleSurface& seen, std::uint64_t key, std::uint32_t first, std::uint32_t turns) const;
 
 private:
-    struct Numbers;
-    struct Vertex;
-    struct Met
-    {
-        Hit hit;
-        SurfacePoint surface;
-        MaterialPoint material;
-    };
     struct Bounce
     {
         dvec3 direction;
         double density;
     };
-    dvec3 path(const VisibleSurface& seen, const Numbers& first, NumberStream& stream) const;
-    dvec3 lightAt(const Vertex& vertex, const Numbers& numbers, bool byEye) const;
-    dvec3 drawnEnvironment(const Vertex& vertex, const Numbers& numbers) const;
-    dvec3 drawnEmitter(const Vertex& vertex, const Numbers& numbers) const;
-    dvec3 drawnSphere(const Vertex& vertex, const Numbers& numbers) const;
-    dvec3 drawnPoint(const Vertex& vertex, const Numbers& numbers) const;
-    dvec3 pointLight(const Vertex& vertex, const Light& light) const;
-    dvec3 spheresMet(const Vertex& vertex, const Bounce& bounce, double farthest) const;
-    dvec3 contribution(const Vertex& vertex, const dvec3& direction, const DirectedLight& light,
+    dvec3 path(const VisibleSurface& seen, const PathNumbers& first, NumberStream& stream) const;
+    dvec3 lightAt(const PathVertex& vertex, const PathNumbers& numbers, bool byEye) const;
+    dvec3 drawnEnvironment(const PathVertex& vertex, const PathNumbers& numbers) const;
+    dvec3 drawnEmitter(const PathVertex& vertex, const PathNumbers& numbers) const;
+    dvec3 drawnSphere(const PathVertex& vertex, const PathNumbers& numbers) const;
+    dvec3 drawnPoint(const PathVertex& vertex, const PathNumbers& numbers) const;
+    dvec3 pointLight(const PathVertex& vertex, const Light& light) const;
+    dvec3 spheresMet(const PathVertex& vertex, const Bounce& bounce, double farthest) const;
+    dvec3 contribution(const PathVertex& vertex, const dvec3& direction, const DirectedLight& light,
                        std::uint64_t key) const;
     double weightOfBounce(double bounce, double light) const;
-    std::vector<double> sharesOf(const Vertex& vertex, const std::vector<Light>& lights) const;
-    double transmittance(const dvec3& from, const dvec3& direction, double farthest) const;
-    std::optional<Met> nextSurface(const Ray& ray, NumberStream& stream) const;
+    std::vector<double> sharesOf(const PathVertex& vertex, const std::vector<Light>& lights) const;
 
-    const RayCaster& caster;
+    PathRays rays;
     Yardstick yardstick;
     const EnvironmentSampler* environment;
     DirectionChoice choice;
     Emitters emitters;
     std::vector<Light> points;  // lights without a size
     std::vector<Light> spheres; // lights with a radius
-    RayCaster::Accept isThere;  // empty where no material has holes or lets light through
 };
 
 /// The light of one visible surface, as PixelEstimator sums it up.

@@ -242,11 +242,13 @@ TEST(Transport, AnEmissiveSquareLightsTheFloorByItsFormFactor)
         const char* name;
         bool turned, doubleSided, unlit;
         dvec3 exact;
+        bool mirrored = false;
     };
     for (const Case& c : {Case{"front", false, false, false, exact},
                           {"back", true, false, false, dvec3(0.0)},
                           {"back of a double-sided one", true, true, false, exact},
-                          {"unlit", false, false, true, exact}})
+                          {"unlit", false, false, true, exact},
+                          {"of a node that mirrors", false, false, false, exact, true}})
     {
         Scene scene;
         Material light = material(dvec3(0.0)); // black: it reflects nothing back
@@ -260,10 +262,12 @@ TEST(Transport, AnEmissiveSquareLightsTheFloorByItsFormFactor)
         if (c.turned)
             std::swap(corners[1], corners[3]);
         addQuad(scene, corners, addMaterial(scene, light));
+        if (c.mirrored) // to where it is already; its front still faces down
+            scene.instances.back().worldFromObject[0].x = -1.0;
         addFloor(scene, 0.0f, 5.0f, addMaterial(scene, material(rho)));
         for (const DirectionChoice choice : kChoices)
             EXPECT_TRUE(agrees(pixelOf(scene, overFloor(place), settingsOf(lambertPreset(), 1, choice), 4096).colors,
-                               c.exact, 1e-12, 12))
+                               c.exact, 1e-12, 15))
                 << c.name << ' ' << int(choice);
     }
 }
@@ -292,6 +296,18 @@ TEST(Transport, PathsEndWhereMoreIsReflectedThanArrives)
     const Camera camera = lookAtCamera(dvec3(0.3, -0.2, 0.4), dvec3(1.0, 0.7, -1.0), dvec3(0, 1, 0), 1.0);
     const PixelReplicates dark = pixelOf(scene, camera, settingsOf(lambertPreset(), 1), 64);
     EXPECT_EQ(dark.colors.mean(), dvec3(0.0));
+}
+
+TEST(Transport, DirectionsReachAllOfASurfaceThatIsNotWhatItIsTakenFor)
+{
+    // Of a smooth white metal all light is expected in the lobe; this one is Lambert's all the same: kLeastShare.
+    Scene scene;
+    addFloor(scene, 0.0f, 1.0f, addMaterial(scene, material(dvec3(1.0), 1.0, 0.1)));
+    scene.environment = uniform(dvec3(2.0));
+    for (const DirectionChoice choice : {DirectionChoice::combined, DirectionChoice::brdf})
+        EXPECT_TRUE(agrees(pixelOf(scene, overFloor(dvec3(0.0)), settingsOf(lambertPreset(), 1, choice), 4096).colors,
+                           dvec3(2.0), 0.0, 2))
+            << int(choice);
 }
 
 // --- Shadows --------------------------------------------------------------------------------------------------------
