@@ -14,6 +14,7 @@
 #include "core/standard_output.h"
 #include "files/json_write.h"
 #include "passes/renderer.h"
+#include "study/transport_part.h"
 
 #include <algorithm>
 #include <fmt/format.h>
@@ -130,6 +131,8 @@ Json draw(Session& session, const std::string& input, const std::string& output)
     const Camera camera = chooseCamera(cameraOptionsFor(session.options.camera, input), scene, aspect);
     if (session.certify)
         requireCertifiable(scene, session.settings);
+    if (session.certify && session.certify->transport)
+        requireTraceable(session.settings);
     const ShadingPlan plan = phases.time("plan", [&] { return makePlan(scene, session.settings); });
     if (session.options.explain)
         sayBeside(session, explain(plan));

@@ -210,6 +210,8 @@ Certificate certify(const Scene& scene, const Camera& camera, const Settings& se
                     const CertificateRequest& request)
 {
     requireCertifiable(scene, settings);
+    if (request.transport)
+        requireTraceable(settings);
     const ReferenceSettings exact = exactSettings(settings, request);
     const PixelEstimator estimator(scene, camera, exact);
     const std::vector<CoveredPixel> covered = coveredPixels(estimator, settings.width, settings.height);

@@ -1,9 +1,20 @@
 #include "study/transport_part.h"
 
+#include "core/error.h"
 #include "core/parallel.h"
 #include "study/error_numbers.h"
 
+#include <string>
+
 namespace torrance {
+
+void requireTraceable(const Settings& settings)
+{
+    if (settings.methods.model->id == "phong")
+        throw usageError("--certify=transport: the preset " + std::string(settings.methods.id) +
+                             " is no BRDF, so that no light goes on from one surface to another",
+                         "leave transport out");
+}
 
 TransportPart transportPart(const Scene& scene, const Camera& camera, const Settings& settings,
                             const CertificateRequest& request, const CertifiedSample& sample)

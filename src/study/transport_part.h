@@ -23,6 +23,9 @@ struct TransportPart
     ErrorNumbers both;      // what was drawn, against that with it
 };
 
+/// Throws Error (usage) for methods that no light goes on with from one surface to another.
+void requireTraceable(const Settings& settings);
+
 /// Paths are traced at the same places of the pixels, with textures at the same levels, as many of a surface as
 /// `request` has directions.
 TransportPart transportPart(const Scene& scene, const Camera& camera, const Settings& settings,
