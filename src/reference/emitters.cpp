@@ -113,7 +113,10 @@ double Emitters::inSolidAngle(const Hit& hit, const SurfacePoint& surface) const
 
 double Emitters::density(const Hit& hit, const SurfacePoint& surface) const
 {
-    if (hit.instance < 0 || radiosities[static_cast<std::size_t>(hit.instance)].empty())
+    if (dark() || hit.instance < 0)
+        return 0.0;
+    const std::vector<double>& perArea = radiosities[static_cast<std::size_t>(hit.instance)];
+    if (perArea.empty() || perArea[static_cast<std::size_t>(hit.triangle)] == 0.0)
         return 0.0;
     return inSolidAngle(hit, surface);
 }

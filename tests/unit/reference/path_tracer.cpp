@@ -272,6 +272,37 @@ TEST(Transport, AnEmissiveSquareLightsTheFloorByItsFormFactor)
     }
 }
 
+TEST(Transport, WhatEmitsBetweenThePlacesThatWereLookedAtIsMetAllTheSame)
+{
+    // One texel of 256 is bright, and at none of the places: the square is not drawn from, and paths alone find it.
+    Scene scene;
+    Material source = material(dvec3(0.0));
+    source.emissiveFactor = dvec3(1000.0);
+    source.emissive.texture = 0;
+    addFloor(scene, 1.0f, 0.5f, addMaterial(scene, source), false);
+    addFloor(scene, 0.0f, 5.0f, addMaterial(scene, material(dvec3(1.0))));
+    TextureImage image = {"spark", 16, 16, TexelFormat::rgba8, std::vector<std::byte>(4 * 256, std::byte(0))};
+    scene.images.push_back(image);
+    scene.textures.push_back({0, {.wrapS = Wrap::clampToEdge, .magnify = Filter::nearest}});
+    const RayCaster caster(scene, dvec3(0.0));
+    std::vector<std::byte>& texels = scene.images[0].texels;
+    const auto onlyTexel = [&](int i) {
+        std::ranges::fill(texels, std::byte(0));
+        std::fill_n(texels.begin() + 4 * i, 4, std::byte(255));
+        return Emitters(caster).dark();
+    };
+    int texel = 100;
+    while (texel < 256 && !onlyTexel(texel))
+        ++texel;
+    ASSERT_LT(texel, 256);
+    const auto light = [&](DirectionChoice choice) {
+        return pixelOf(scene, overFloor(dvec3(0.0)), settingsOf(lambertPreset(), 1, choice), 65536).colors.mean();
+    };
+    EXPECT_GT(light(DirectionChoice::brdf).r, 0.0);
+    EXPECT_EQ(light(DirectionChoice::brdf), light(DirectionChoice::combined));
+    EXPECT_EQ(light(DirectionChoice::brdf), light(DirectionChoice::light));
+}
+
 TEST(Transport, ASphereLightsTheFloorOnceHoweverItIsFound)
 {
     // Radiance I / (pi r^2), above the horizon as a whole: E = I cos / d^2, as of a point. Camera rays do not meet it.
