@@ -265,6 +265,8 @@ TEST(Transport, AnEmissiveSquareLightsTheFloorByItsFormFactor)
         if (c.mirrored) // to where it is already; its front still faces down
             scene.instances.back().worldFromObject[0].x = -1.0;
         addFloor(scene, 0.0f, 5.0f, addMaterial(scene, material(rho)));
+        const RayCaster caster(scene, dvec3(0.0));
+        EXPECT_FALSE(Emitters(caster).dark()) << c.name << ": it is drawn from";
         for (const DirectionChoice choice : kChoices)
             EXPECT_TRUE(agrees(pixelOf(scene, overFloor(place), settingsOf(lambertPreset(), 1, choice), 4096).colors,
                                c.exact, 1e-12, 15))
