@@ -67,6 +67,9 @@ std::string certificateLine(const Certificate& certificate)
     if (certificate.sampling)
         line += "; sampling error: mean " + boundedText(certificate.sampling->mean) + ", both: mean " +
                 boundedText(certificate.both->mean);
+    if (certificate.transport)
+        line += "; transport error: mean " + boundedText(certificate.transport->mean) + ", with shading: mean " +
+                boundedText(certificate.shadingAndTransport->mean);
     if (certificate.nonFinite > 0)
         line += fmt::format("; {} pixels are not finite", certificate.nonFinite);
     return line;

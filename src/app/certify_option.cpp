@@ -11,7 +11,8 @@
 namespace torrance {
 namespace {
 
-constexpr const char* kUsage = "it takes a number of pixels, noise=SHARE and sampling: --certify=512,noise=1%,sampling";
+constexpr const char* kUsage =
+    "it takes a number of pixels, noise=SHARE, sampling, transport: --certify=512,noise=1%,sampling,transport";
 
 int pixelsOf(const std::string& text)
 {
@@ -42,9 +43,10 @@ void declareCertifyOption(CLI::App& app, CertifyOption& option)
     option.given = app.add_option("--certify", option.text,
                                   "Compare N covered pixels (default 512) with their exact light, and write "
                                   "OUT.certificate.json; noise=SHARE: with as many directions as it takes to know them "
-                                  "to this share; sampling: the error of pixel and texture filtering, too")
+                                  "to this share; sampling: the error of pixel and texture filtering, too; transport: "
+                                  "that of missing shadows and interreflection")
                        ->group("Output")
-                       ->type_name("N|noise=SHARE|sampling,...")
+                       ->type_name("N|noise=SHARE|sampling|transport,...")
                        ->expected(0, 1);
 }
 
@@ -57,11 +59,10 @@ std::optional<CertificateRequest> chosenCertificate(const CertifyOption& option)
         throw usageError("--certify " + option.text + ": ends in a comma", kUsage);
     std::istringstream parts(option.text);
     for (std::string part; std::getline(parts, part, ',');) {
-        if (part == "transport")
-            throw usageError("--certify=transport: does not exist yet: nothing traces shadows and interreflection",
-                             "leave it out; the certificate lists them as not vouched for");
         if (part == "sampling")
             request.sampling = true;
+        else if (part == "transport")
+            request.transport = true;
         else if (part.starts_with("noise="))
             request.noise = noiseOf(part.substr(6));
         else

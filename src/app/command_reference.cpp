@@ -42,6 +42,7 @@ struct Options
     std::string choice = "combined";
     std::uint64_t seed = 0;
     std::string yardstick = "model";
+    bool transport = false;
     bool resume = false;
     double checkpointSeconds = 30.0;
     SceneOptions scene;
@@ -109,6 +110,9 @@ void declare(CLI::App& app, Options& o)
     addChoice(app, "--yardstick", o.yardstick, {"model", "physics"},
               "model (default): the methods asked for, integrated exactly; physics: full Fresnel, random walks between "
               "facets, an energy-preserving body");
+    app.add_flag(
+        "--transport", o.transport,
+        "Shadows and interreflection, too, by paths: --samples counts paths of each surface that a pixel sees");
     declareSampling(app, o);
     declareCheckpoints(app, o);
     declareCameraOptions(app, o.camera);
@@ -154,8 +158,12 @@ void checkYardstick(const Options& o)
 
 // The integral of a source over an environment is that of its BRDF; phong adds its ambient part once per light, and a
 // whole sphere of lights has no end of them.
-void checkIntegrable(const brdf::Preset& methods, const EnvironmentOptions& environment)
+void checkIntegrable(const brdf::Preset& methods, const EnvironmentOptions& environment, bool transport)
 {
+    if (methods.model->id == "phong" && transport)
+        throw usageError("--transport: the preset " + std::string(methods.id) +
+                             " is no BRDF, so that no light goes on from one surface to another",
+                         "leave one of them out");
     if (methods.model->id == "phong" && !environment.name.empty() && environment.name != "none")
         throw usageError("the preset " + std::string(methods.id) +
                              " is no BRDF, so that light from an environment has no integral",
@@ -171,8 +179,9 @@ ReferenceSettings settingsOf(const Options& o)
     ReferenceSettings settings;
     settings.methods = chooseMethods(o.methods);
     settings.physics = o.yardstick == "physics";
+    settings.transport = o.transport;
     brdf::requireWholeBrdf(settings.methods);
-    checkIntegrable(settings.methods, o.environment);
+    checkIntegrable(settings.methods, o.environment, o.transport);
     settings.width = size.x;
     settings.height = size.y;
     settings.pixelSamples = o.pixelSamples;

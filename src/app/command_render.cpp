@@ -15,6 +15,7 @@
 #include "core/standard_output.h"
 #include "files/json_write.h"
 #include "passes/renderer.h"
+#include "study/transport_part.h"
 
 #include <algorithm>
 #include <fmt/format.h>
@@ -199,6 +200,8 @@ Json draw(Session& session, const std::string& input, const std::string& output)
     const Camera camera = chooseCamera(cameraOptionsFor(session.options.camera, input), scene, aspect);
     if (session.certify)
         requireCertifiable(scene, session.settings);
+    if (session.certify && session.certify->transport)
+        requireTraceable(session.settings);
     Drawn drawn = session.tolerance ? drawWithinTolerance(session, input, loaded, camera)
                                     : drawOnce(session, input, loaded, camera, session.settings);
     if (session.options.explain)

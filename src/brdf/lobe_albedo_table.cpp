@@ -88,13 +88,22 @@ double valueOf(Node& node, const Function& compute)
     return value;
 }
 
+AlbedoTerms termsOfNode(int column, int row)
+{
+    const double r = roughnessAt(row / (kRoughnesses - 1.0));
+    return ggxAlbedo(cosineAt(column / (kCosines - 1.0), r), r);
+}
+
 double albedoNode(int column, int row)
 {
     static std::array<Node, kCosines * kRoughnesses> nodes;
-    return valueOf(nodes[row * kCosines + column], [&] {
-        const double r = roughnessAt(row / (kRoughnesses - 1.0));
-        return ggxAlbedo(cosineAt(column / (kCosines - 1.0), r), r).albedo();
-    });
+    return valueOf(nodes[row * kCosines + column], [&] { return termsOfNode(column, row).albedo(); });
+}
+
+double biasNode(int column, int row)
+{
+    static std::array<Node, kCosines * kRoughnesses> nodes;
+    return valueOf(nodes[row * kCosines + column], [&] { return termsOfNode(column, row).bias; });
 }
 
 double averageNode(int row)
@@ -105,15 +114,51 @@ double averageNode(int row)
 
 } // namespace
 
+namespace {
+
+/// The nodes about a place, with the weights of both coordinates.
+struct Neighbours
+{
+    Stencil columns, rows;
+
+    Neighbours(double NoV, double perceptualRoughness)
+        : columns(stencilAt(cosineCoordinate(NoV, perceptualRoughness), kCosines)),
+          rows(stencilAt(roughnessCoordinate(perceptualRoughness), kRoughnesses))
+    {
+    }
+
+    double interpolate(double (*node)(int column, int row)) const
+    {
+        double sum = 0.0;
+        for (int j = 0; j < kPoints; ++j)
+            for (int i = 0; i < kPoints; ++i)
+                sum += rows.weights[j] * columns.weights[i] * node(columns.first + i, rows.first + j);
+        return sum;
+    }
+};
+
+struct Kept
+{
+    double NoV = -1.0, perceptualRoughness = -1.0;
+    AlbedoTerms terms;
+};
+
+} // namespace
+
 double lobeAlbedoFromTable(double NoV, double perceptualRoughness)
 {
-    const Stencil columns = stencilAt(cosineCoordinate(NoV, perceptualRoughness), kCosines);
-    const Stencil rows = stencilAt(roughnessCoordinate(perceptualRoughness), kRoughnesses);
-    double sum = 0.0;
-    for (int j = 0; j < kPoints; ++j)
-        for (int i = 0; i < kPoints; ++i)
-            sum += rows.weights[j] * columns.weights[i] * albedoNode(columns.first + i, rows.first + j);
-    return sum;
+    return Neighbours(NoV, perceptualRoughness).interpolate(albedoNode);
+}
+
+AlbedoTerms lobeTermsFromTable(double NoV, double perceptualRoughness)
+{
+    thread_local Kept kept;
+    if (kept.NoV != NoV || kept.perceptualRoughness != perceptualRoughness) {
+        const Neighbours neighbours(NoV, perceptualRoughness);
+        const double bias = neighbours.interpolate(biasNode);
+        kept = {NoV, perceptualRoughness, {neighbours.interpolate(albedoNode) - bias, bias}};
+    }
+    return kept.terms;
 }
 
 double averageLobeAlbedoFromTable(double perceptualRoughness)

@@ -33,13 +33,14 @@ void setAlbedos(const Preset& preset, ShadingPoint& lobe)
     if (!preset.multipleScattering->readsAlbedo && !preset.diffuseWeight->readsAlbedo)
         return;
     const double r = lobe.perceptualRoughness;
-    const AlbedoTerms view = lobeTerms(std::min(lobe.NoV, 1.0), r);
+    const double NoV = std::min(lobe.NoV, 1.0);
+    const AlbedoTerms view = lobe.albedosOfTable ? lobeTermsFromTable(NoV, r) : lobeTerms(NoV, r);
     lobe.E = view.albedo();
     lobe.bias = view.bias;
     if (!preset.multipleScattering->readsLightAlbedo)
         return;
     // The light comes from another direction at each call. Both are of the table, so that v and l can be exchanged.
-    lobe.E = lobeAlbedoFromTable(std::min(lobe.NoV, 1.0), r);
+    lobe.E = lobeAlbedoFromTable(NoV, r);
     lobe.ELight = lobeAlbedoFromTable(std::min(lobe.NoL, 1.0), r);
     lobe.EAverage = averageLobeAlbedoFromTable(r);
 }

@@ -40,6 +40,8 @@ struct ShadingPoint
     dvec3 baseColor = dvec3(1.0);
     double metallic = 0;
 
+    bool albedosOfTable = false; // E and bias within 1e-6 of the quadrature, which takes a hundred times as long
+
     // What the other terms tell multiple scattering. E is the directional albedo of the specular lobe with F = 1.
     double E = 1;                    // at NoV
     double bias = 0;                 // of it what Schlick's (1 - VoH)^5 takes (albedo.h)

@@ -47,11 +47,12 @@ std::size_t payloadSize(const ReferencePicture& picture)
 ContentHash hashOfInputs(const Scene& scene, const Camera& camera, const ReferenceSettings& settings,
                          std::string_view program)
 {
-    const auto& [methods, physics, width, height, pixelSamples, directions, targetError, maxDirections, background,
-                 choice, seed, levelBias] = settings;
+    const auto& [methods, physics, transport, width, height, pixelSamples, directions, targetError, maxDirections,
+                 background, choice, seed, levelBias] = settings;
     ContentHasher hasher;
     hasher.add(program)
         .add(physics)
+        .add(transport)
         .add(width)
         .add(height)
         .add(pixelSamples)

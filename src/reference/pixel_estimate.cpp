@@ -2,6 +2,7 @@
 
 #include "core/error.h"
 #include "math/norm.h"
+#include "reference/path_tracer.h"
 #include "reference/shade.h"
 #include "scene/camera_view.h"
 
@@ -9,11 +10,6 @@
 
 namespace torrance {
 namespace {
-
-bool isSphere(const Light& light)
-{
-    return light.radius > 0.0 && light.kind != Light::Kind::directional;
-}
 
 /// Of the materials of a scene, for one table of albedos serves them all.
 double commonIor(const Scene& scene)
@@ -32,9 +28,14 @@ double commonIor(const Scene& scene)
 /// What lights a surface point from more than one direction, with the point's share of the pixel.
 struct PixelEstimator::Point
 {
-    LightIntegral integral;
+    std::variant<LightIntegral, PathIntegral> integral;
     double share;
     std::uint64_t key;
+
+    dvec3 sumOfTurns(std::uint64_t numbers, std::uint32_t first, std::uint32_t turns) const
+    {
+        return share * std::visit([&](const auto& i) { return i.sumOfTurns(numbers, first, turns); }, integral);
+    }
 };
 
 PixelEstimator::PixelEstimator(const Scene& scene, const Camera& c, const ReferenceSettings& s)
@@ -46,12 +47,15 @@ PixelEstimator::PixelEstimator(const Scene& scene, const Camera& c, const Refere
         yardstick = &interfaceAlbedo.emplace(commonIor(scene));
     for (const Light& light : scene.lights)
         (settings.physics || isSphere(light) ? estimatedLights : exactLights).push_back(light);
-    if (!scene.environment)
-        return;
-    environment.emplace(*scene.environment);
-    if (environment->dark())
+    if (scene.environment)
+        environment.emplace(*scene.environment);
+    if (environment && environment->dark())
         environment.reset();
+    if (settings.transport)
+        paths = std::make_unique<PathTracer>(caster, yardstick, surroundings(), settings.choice);
 }
+
+PixelEstimator::~PixelEstimator() = default;
 
 dvec4 PixelEstimator::backgroundOf(const Ray& ray) const
 {
@@ -64,6 +68,12 @@ void PixelEstimator::addSurface(const VisibleSurface& seen, double share, std::u
                                 PixelEstimate& exact) const
 {
     const auto& [surface, material, alpha] = seen;
+    if (paths) {
+        exact.color += share * dvec4(paths->exactLight(seen), 1.0);
+        if (!material.unlit)
+            points.push_back({PathIntegral{*paths, seen}, share, hashNumbers({key, 0})});
+        return;
+    }
     exact.color +=
         share *
         dvec4(shade(settings.methods, {exactLights}, material, caster.origin(), surface.position, surface.view), 1.0);
@@ -137,8 +147,7 @@ Replicates PixelEstimator::sumsOfTurns(const std::vector<Point>& points, std::ui
     Replicates sums;
     for (std::uint64_t replicate = 0; replicate < kReplicates; ++replicate)
         for (const Point& point : points)
-            sums.values[replicate] +=
-                point.share * point.integral.sumOfTurns(hashNumbers({point.key, replicate}), first, turns);
+            sums.values[replicate] += point.sumOfTurns(hashNumbers({point.key, replicate}), first, turns);
     return sums;
 }
 
@@ -169,7 +178,7 @@ PixelReplicates PixelEstimator::wholePixel(int x, int y, int places, int turns) 
         }
         dvec3 sum(0.0);
         for (const Point& point : points)
-            sum += point.share * point.integral.sumOfTurns(point.key, 0, static_cast<std::uint32_t>(turns));
+            sum += point.sumOfTurns(point.key, 0, static_cast<std::uint32_t>(turns));
         result.colors.values[replicate] = dvec3(exact.color) + sum / (double(turns) * kDirectionsPerTurn);
     }
     return result;

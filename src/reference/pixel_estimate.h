@@ -6,7 +6,11 @@
 #include "reference/reference_settings.h"
 #include "reference/visible_surfaces.h"
 
+#include <memory>
+
 namespace torrance {
+
+class PathTracer;
 
 struct PixelEstimate
 {
@@ -33,6 +37,7 @@ public:
     PixelEstimator(const Scene& scene, const Camera& camera, const ReferenceSettings& settings);
     PixelEstimator(const PixelEstimator&) = delete; // it refers to itself
     PixelEstimator& operator=(const PixelEstimator&) = delete;
+    ~PixelEstimator();
 
     /// `meanNorm` is the mean |c|_1 of the covered pixels, one hundredth of which the target error adds to a pixel's
     /// own; read where there is a target.
@@ -83,6 +88,7 @@ private:
     std::vector<Light> exactLights;                // whose light on a point is one evaluation
     std::vector<Light> estimatedLights;            // the others
     std::optional<EnvironmentSampler> environment; // where it is not dark
+    std::unique_ptr<PathTracer> paths;             // of transport
 };
 
 } // namespace torrance

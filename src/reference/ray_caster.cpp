@@ -2,6 +2,7 @@
 
 #include "reference/analytic_shape.h"
 
+#include <algorithm>
 #include <cmath>
 #include <embree3/rtcore.h>
 #include <limits>
@@ -34,6 +35,8 @@ struct Query
     const RayCaster* caster;
     const Ray* ray;
     double beyond;
+    double farthest; // hits there and farther do not count
+    Faces faces;
     const RayCaster::Accept* accept;
 };
 
@@ -42,13 +45,13 @@ std::optional<Hit> judgedHit(const Query& query, int instance, int triangle)
     const Scene& scene = query.caster->scene();
     std::optional<Hit> hit =
         meetTriangle(triangleCorners(scene, instance, triangle, query.caster->origin()), *query.ray);
-    if (!hit || !(hit->distance > query.beyond))
+    if (!hit || !(hit->distance > query.beyond) || !(hit->distance < query.farthest))
         return std::nullopt;
     hit->instance = instance;
     hit->triangle = triangle;
     if (glm::determinant(dmat3(scene.instances[static_cast<std::size_t>(instance)].worldFromObject)) < 0.0)
         hit->front = !hit->front;
-    if (!hit->front && !materialOf(scene, materialIndexOf(scene, *hit)).doubleSided)
+    if (!hit->front && query.faces == Faces::drawn && !materialOf(scene, materialIndexOf(scene, *hit)).doubleSided)
         return std::nullopt;
     if (*query.accept && !(*query.accept)(*hit))
         return std::nullopt;
@@ -95,24 +98,53 @@ void attachInstance(RTCDevice device, RTCScene rays, const Scene& scene, std::si
     rtcAttachGeometryByID(rays, geometry.get(), static_cast<unsigned int>(index));
 }
 
-std::optional<Hit> closestShape(const RayCaster& caster, const Ray& ray, double beyond, const RayCaster::Accept& accept)
+std::optional<Hit> closestShape(const Query& query)
 {
+    const auto& [context, caster, ray, beyond, farthest, faces, accept] = query;
     std::optional<Hit> best;
-    const std::vector<AnalyticShape>& shapes = caster.scene().shapes;
+    const std::vector<AnalyticShape>& shapes = caster->scene().shapes;
     for (std::size_t i = 0; i < shapes.size(); ++i) {
-        const bool doubleSided = materialOf(caster.scene(), shapes[i].material).doubleSided;
+        const bool bothSides = faces == Faces::both || materialOf(caster->scene(), shapes[i].material).doubleSided;
         const std::optional<ShapeHit> met =
-            intersectShape(shapes[i], caster.origin(), ray, doubleSided ? Sides::both : Sides::front);
-        if (!met || !(met->distance > beyond) || (best && met->distance >= best->distance))
+            intersectShape(shapes[i], caster->origin(), *ray, bothSides ? Sides::both : Sides::front);
+        if (!met || !(met->distance > beyond) || !(met->distance < farthest) ||
+            (best && met->distance >= best->distance))
             continue;
         Hit hit;
         hit.shape = static_cast<int>(i);
         hit.distance = met->distance;
-        hit.front = glm::dot(met->normal, ray.direction) < 0.0;
-        if (!accept || accept(hit))
+        hit.front = glm::dot(met->normal, ray->direction) < 0.0;
+        if (!*accept || (*accept)(hit))
             best = hit;
     }
     return best;
+}
+
+/// Embree's ray begins before the ray and ends beyond `farthest`; what it meets there is judged in double.
+RTCRay floatRay(const Ray& ray, double farthest)
+{
+    const double lead =
+        kFloatSlack * std::max({std::abs(ray.origin.x), std::abs(ray.origin.y), std::abs(ray.origin.z)});
+    const dvec3 start = ray.origin - lead * ray.direction;
+    RTCRay floats{};
+    floats.org_x = static_cast<float>(start.x);
+    floats.org_y = static_cast<float>(start.y);
+    floats.org_z = static_cast<float>(start.z);
+    floats.dir_x = static_cast<float>(ray.direction.x);
+    floats.dir_y = static_cast<float>(ray.direction.y);
+    floats.dir_z = static_cast<float>(ray.direction.z);
+    floats.tfar = static_cast<float>(farthest * (1.0 + kFloatSlack) + 2.0 * lead);
+    floats.mask = ~0u;
+    return floats;
+}
+
+Query queryOf(const RayCaster& caster, const Ray& ray, double beyond, double farthest, Faces faces,
+              const RayCaster::Accept& accept)
+{
+    Query query{{}, &caster, &ray, beyond, farthest, faces, &accept};
+    rtcInitIntersectContext(&query.context);
+    query.context.filter = filterHit;
+    return query;
 }
 
 } // namespace
@@ -175,27 +207,29 @@ const dvec3& RayCaster::origin() const
     return state->origin;
 }
 
-std::optional<Hit> RayCaster::closest(const Ray& ray, double beyond, const Accept& accept) const
+std::optional<Hit> RayCaster::closest(const Ray& ray, double beyond, const Accept& accept, Faces faces) const
 {
-    std::optional<Hit> best = closestShape(*this, ray, beyond, accept);
-    Query query{{}, this, &ray, beyond, &accept};
-    rtcInitIntersectContext(&query.context);
-    query.context.filter = filterHit;
+    constexpr double kNowhere = std::numeric_limits<double>::infinity();
+    Query query = queryOf(*this, ray, beyond, kNowhere, faces, accept);
+    const std::optional<Hit> best = closestShape(query);
     RTCRayHit hit{};
-    hit.ray.org_x = static_cast<float>(ray.origin.x);
-    hit.ray.org_y = static_cast<float>(ray.origin.y);
-    hit.ray.org_z = static_cast<float>(ray.origin.z);
-    hit.ray.dir_x = static_cast<float>(ray.direction.x);
-    hit.ray.dir_y = static_cast<float>(ray.direction.y);
-    hit.ray.dir_z = static_cast<float>(ray.direction.z);
-    hit.ray.tfar = std::numeric_limits<float>::infinity();
-    hit.ray.mask = ~0u;
+    hit.ray = floatRay(ray, kNowhere);
     hit.hit.geomID = RTC_INVALID_GEOMETRY_ID;
     rtcIntersect1(state->rays.get(), &query.context, &hit);
     if (hit.hit.geomID == RTC_INVALID_GEOMETRY_ID)
         return best;
     const std::optional<Hit> met = judgedHit(query, static_cast<int>(hit.hit.geomID), static_cast<int>(hit.hit.primID));
     return met && (!best || met->distance < best->distance) ? met : best;
+}
+
+bool RayCaster::blocked(const Ray& ray, double farthest, const Accept& accept) const
+{
+    Query query = queryOf(*this, ray, 0.0, farthest, Faces::both, accept);
+    if (closestShape(query))
+        return true;
+    RTCRay floats = floatRay(ray, farthest);
+    rtcOccluded1(state->rays.get(), &query.context, &floats);
+    return floats.tfar < 0.0f;
 }
 
 std::array<dvec3, 3> triangleCorners(const Scene& scene, int instance, int triangle, const dvec3& origin)

@@ -21,9 +21,20 @@ struct Hit
     bool front = true; // the counter-clockwise side faces the ray (clockwise where the node mirrors)
 };
 
+/// Which sides of a surface a ray meets.
+enum class Faces
+{
+    drawn, // back faces of single-sided materials are not there, as they are not drawn
+    both,
+};
+
+/// Embree begins this share of its place's size before the ray, and what it finds there counts by its distance in
+/// double: 2^-24 is what rounding a place to float moves it by, and a surface nearer than that would be stepped over.
+inline constexpr double kFloatSlack = 1e-6;
+
 /// Embree works in float. It only decides which triangle is met; where, is computed again in double. Vertices are
 /// handed to it relative to `origin` (the camera's position as a rule), so that scenes far from the world's origin lose
-/// nothing. Back faces of single-sided materials are not there, as they are not drawn. Points and lines are not met.
+/// nothing. Points and lines are not met.
 class RayCaster
 {
 public:
@@ -37,7 +48,11 @@ public:
     using Accept = std::function<bool(const Hit&)>;
 
     /// The nearest accepted hit farther than `beyond` along a ray whose origin is relative to `origin`.
-    std::optional<Hit> closest(const Ray& ray, double beyond = 0.0, const Accept& accept = {}) const;
+    std::optional<Hit> closest(const Ray& ray, double beyond = 0.0, const Accept& accept = {},
+                               Faces faces = Faces::drawn) const;
+
+    /// Whether an accepted hit, of either side of a surface, lies between the ray's origin and `farthest` along it.
+    bool blocked(const Ray& ray, double farthest, const Accept& accept = {}) const;
 
     const Scene& scene() const;
     const dvec3& origin() const;

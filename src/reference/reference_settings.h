@@ -15,7 +15,8 @@ inline constexpr int kDirectionsPerRound = kReplicates * static_cast<int>(kDirec
 struct ReferenceSettings
 {
     brdf::Preset methods;
-    bool physics = false; // the yardstick: physics instead of the methods
+    bool physics = false;   // the yardstick: physics instead of the methods
+    bool transport = false; // shadows and interreflection: `directions` are paths of each visible surface
     int width = 1024;
     int height = 1024;
     int pixelSamples = 1;                           // places in the pixel, by the reconstruction filter

@@ -4,8 +4,9 @@
 
 namespace torrance {
 
-Reflectance::Reflectance(const Yardstick& yardstick, const MaterialPoint& material, const dvec3& v, ResponsePart p)
-    : surface(make(yardstick, material)), view(v), part(p)
+Reflectance::Reflectance(const Yardstick& yardstick, const MaterialPoint& material, const dvec3& v, ResponsePart p,
+                         bool ofTable)
+    : surface(make(yardstick, material)), view(v), part(p), albedosOfTable(ofTable)
 {
 }
 
@@ -29,6 +30,7 @@ dvec3 Reflectance::operator()(const dvec3& l, std::uint64_t key) const
     point.baseColor = model.baseColor;
     point.metallic = model.metallic;
     point.ior = model.ior;
+    point.albedosOfTable = albedosOfTable;
     const brdf::BrdfTerms terms = brdf::evaluateTerms(*model.preset, point);
     switch (part) {
     case ResponsePart::body:

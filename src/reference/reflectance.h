@@ -25,8 +25,9 @@ class Reflectance
 {
 public:
     /// Parts are known of methods, not of `physics`, which counts whole.
+    /// `albedosOfTable` as of brdf::ShadingPoint: for points that few directions are asked of.
     Reflectance(const Yardstick& yardstick, const MaterialPoint& material, const dvec3& view,
-                ResponsePart part = ResponsePart::whole);
+                ResponsePart part = ResponsePart::whole, bool albedosOfTable = false);
 
     dvec3 operator()(const dvec3& l, std::uint64_t key) const;
 
@@ -44,6 +45,7 @@ private:
     std::variant<Model, PhysicalSurface> surface;
     dvec3 view;
     ResponsePart part;
+    bool albedosOfTable;
 };
 
 } // namespace torrance

@@ -9,6 +9,7 @@
 #include "study/error_numbers.h"
 #include "study/pixel_effort.h"
 #include "study/surface_survey.h"
+#include "study/transport_part.h"
 
 #include <algorithm>
 #include <cmath>
@@ -209,6 +210,19 @@ void addSamplingPart(const Scene& scene, const Camera& camera, const Settings& s
     certificate.both = errorNumbers(looked.strata, both, meanNorm);
 }
 
+void addTransportPart(const Scene& scene, const Camera& camera, const Settings& settings, const Image& drawn,
+                      const Looked& looked, const std::vector<CoveredPixel>& covered, Certificate& certificate)
+{
+    CertifiedSample sample = {looked.strata, {}, std::span(looked.truths).first(looked.sampled), {}};
+    for (std::size_t i = 0; i < looked.sampled; ++i) {
+        sample.pixels.push_back(covered[looked.pixels[i]]);
+        sample.drawn.push_back(colorAt(drawn, sample.pixels.back()));
+    }
+    const TransportPart part = transportPart(scene, camera, settings, certificate.request, sample);
+    certificate.transport = part.transport;
+    certificate.shadingAndTransport = part.both;
+}
+
 } // namespace
 
 ReferenceSettings exactSettings(const Settings& settings, const CertificateRequest& request)
@@ -239,8 +253,20 @@ void requireCertifiable(const Scene& scene, const Settings& settings)
                          "leave the environment out: --environment none");
 }
 
+namespace {
+
+const Settings& requiredCertifiable(const Scene& scene, const Settings& settings, const CertificateRequest& request)
+{
+    requireCertifiable(scene, settings);
+    if (request.transport)
+        requireTraceable(settings);
+    return settings;
+}
+
+} // namespace
+
 Certifier::Certifier(const Scene& s, const Camera& c, const Settings& settings, const CertificateRequest& r)
-    : scene(s), camera(c), request(r), asked((requireCertifiable(s, settings), settings)),
+    : scene(s), camera(c), request(r), asked(requiredCertifiable(s, settings, r)),
       exact(exactSettings(settings, r)), estimator(s, c, exact),
       covered(coveredPixels(estimator, settings.width, settings.height)),
       strata(drawSample(covered.size(), static_cast<std::size_t>(r.pixels), r.seed)), sample(pixelsOf(strata)),
@@ -256,7 +282,7 @@ std::vector<SeenSurface> Certifier::surfaces() const
     return surveySurfaces(estimator, asked.methods, pixels);
 }
 
-Certificate Certifier::judge(const Settings& settings, const Image& drawn)
+Certificate Certifier::judge(const Settings& settings, const Image& drawn, CertificateParts parts) const
 {
     Certificate certificate;
     certificate.request = request;
@@ -274,21 +300,24 @@ Certificate Certifier::judge(const Settings& settings, const Image& drawn)
                                    request.seed + 1);
     if (looked.sampled < covered.size())
         certificate.worseShare = 1.0 - std::pow(0.05, 1.0 / static_cast<double>(looked.sampled));
-    if (request.sampling)
+    const bool all = parts == CertificateParts::all;
+    if (all && request.sampling)
         addSamplingPart(scene, camera, settings, drawn, looked, covered, certificate);
+    if (all && request.transport)
+        addTransportPart(scene, camera, settings, drawn, looked, covered, certificate);
     for (const std::size_t pixel : looked.pixels)
         certificate.pixels.push_back({covered[pixel].x, covered[pixel].y, colorAt(drawn, covered[pixel])});
     std::vector<dvec2> places;
     for (std::size_t i = 0; i < looked.sampled; ++i)
         places.emplace_back(certificate.pixels[i].x + 0.5, certificate.pixels[i].y + 0.5);
-    certificate.unvouched = unvouchedEffects(estimator, request.sampling, places);
+    certificate.unvouched = unvouchedEffects(estimator, all && request.sampling, all && request.transport, places);
     return certificate;
 }
 
 Certificate certify(const Scene& scene, const Camera& camera, const Settings& settings, const Image& drawn,
                     const CertificateRequest& request)
 {
-    return Certifier(scene, camera, settings, request).judge(settings, drawn);
+    return Certifier(scene, camera, settings, request).judge(settings, drawn, CertificateParts::all);
 }
 
 } // namespace torrance

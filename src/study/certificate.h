@@ -27,7 +27,8 @@ inline constexpr int kMostCertified = 1 << 20;
 struct CertificateRequest
 {
     int pixels = kDefaultCertified;
-    bool sampling = false; // the part of pixel and texture filtering, too
+    bool sampling = false;  // the part of pixel and texture filtering, too
+    bool transport = false; // that of shadows and interreflection, too
     std::uint64_t seed = 0;
     int directions = 1024; // of a pixel, per light that is no point: about what keeps the truth's noise below the
                            // sample's (docs/certificate.md)
@@ -78,10 +79,18 @@ struct Certificate
     /// At 95 %: at most this share of the covered pixels is worse than the worst found. 1 - 0.05^(1/N), about 3/N
     /// (Hanley & Lippman-Hand, If Nothing Goes Wrong, Is Everything All Right?, 1983); 0 where all were compared.
     double worseShare = 0.0;
-    std::optional<ErrorNumbers> sampling; // the pixel's own exact light against the exact mean over the pixel
-    std::optional<ErrorNumbers> both;     // what was drawn against that mean
+    std::optional<ErrorNumbers> sampling;  // the pixel's own exact light against the exact mean over the pixel
+    std::optional<ErrorNumbers> both;      // what was drawn against that mean
+    std::optional<ErrorNumbers> transport; // the pixel's own exact light against the path-traced one
+    std::optional<ErrorNumbers> shadingAndTransport; // what was drawn against the path-traced light
     std::vector<std::string> unvouched;
     std::vector<LookedPixel> pixels; // those drawn at random, then the forced ones
+};
+
+enum class CertificateParts
+{
+    shading, // alone, whatever the request
+    all,     // that the request asks for
 };
 
 /// Pictures of one scene, certified one after the other: what they are compared with is computed once.
@@ -93,7 +102,7 @@ public:
     Certifier(const Scene& scene, const Camera& camera, const Settings& settings, const CertificateRequest& request);
 
     /// As certify, of a picture drawn with these settings.
-    Certificate judge(const Settings& settings, const Image& drawn);
+    Certificate judge(const Settings& settings, const Image& drawn, CertificateParts parts) const;
 
     /// What the pixels that are drawn at random see (surface_survey.h). Empty where nothing is covered.
     std::vector<SeenSurface> surfaces() const;

@@ -155,6 +155,7 @@ Json certificateJson(const Certificate& certificate, const CertifiedPicture& pic
                                 {"forced", certificate.forced},
                                 {"asked", request.pixels},
                                 {"sampling", request.sampling},
+                                {"transport", request.transport},
                                 {"seed", static_cast<std::int64_t>(request.seed)},
                                 {"directions", request.directions},
                                 {"asked_noise", request.noise ? Json(*request.noise) : Json()},
@@ -168,6 +169,10 @@ Json certificateJson(const Certificate& certificate, const CertifiedPicture& pic
         object.emplace_back("sampling", numbersJson(*certificate.sampling));
     if (certificate.both)
         object.emplace_back("shading_and_sampling", numbersJson(*certificate.both));
+    if (certificate.transport)
+        object.emplace_back("transport", numbersJson(*certificate.transport));
+    if (certificate.shadingAndTransport)
+        object.emplace_back("shading_and_transport", numbersJson(*certificate.shadingAndTransport));
     if (!std::holds_alternative<std::nullptr_t>(picture.tolerance.value))
         object.emplace_back("tolerance", picture.tolerance);
     object.emplace_back("not_vouched_for", textsJson(certificate.unvouched));
@@ -187,6 +192,10 @@ std::vector<std::pair<std::string, double>> comparedNumbers(const Certificate& c
         addNumbers(*certificate.sampling, "sampling", numbers);
     if (certificate.both)
         addNumbers(*certificate.both, "shading_and_sampling", numbers);
+    if (certificate.transport)
+        addNumbers(*certificate.transport, "transport", numbers);
+    if (certificate.shadingAndTransport)
+        addNumbers(*certificate.shadingAndTransport, "shading_and_transport", numbers);
     return numbers;
 }
 
@@ -215,6 +224,7 @@ ReadCertificate readCertificate(std::string_view text, const std::string& file)
         read.request.noise = noiseOf(sample.member("asked_noise"));
     read.request.seed = static_cast<std::uint64_t>(wholeNumber(sample.member("seed"), 0, 1 << 30));
     read.request.sampling = view.has("sampling");
+    read.request.transport = view.has("transport");
     read.numbers = {{"covered pixels", sample.member("covered_pixels").number()},
                     {"compared pixels", sample.member("compared").number()},
                     {"worst error", view.member("worst").member("error").member("value").numberOr(
@@ -223,6 +233,10 @@ ReadCertificate readCertificate(std::string_view text, const std::string& file)
     if (read.request.sampling) {
         readNumbers(view.member("sampling"), "sampling", read);
         readNumbers(view.member("shading_and_sampling"), "shading_and_sampling", read);
+    }
+    if (read.request.transport) {
+        readNumbers(view.member("transport"), "transport", read);
+        readNumbers(view.member("shading_and_transport"), "shading_and_transport", read);
     }
     if (view.has("pixels"))
         for (const JsonView& line : view.member("pixels").elements())

@@ -58,13 +58,14 @@ ToleranceResult drawWithin(const ToleranceTask& task, const std::function<const 
     CertificateRequest request = task.request;
     if (!request.noise)
         request.noise = std::clamp(kToleranceNoise * task.tolerance.mean, kLeastNoise, kMostNoise);
-    Certifier certifier(task.scene, task.camera, task.asked, request);
+    const Certifier certifier(task.scene, task.camera, task.asked, request);
     ToleranceResult result;
     result.plan = planTolerance(task.table, task.tolerance, task.asked.methods, task.fixed, certifier.surfaces(),
                                 factsOf(task.scene, task.asked));
     for (int step = 0;; ++step) {
         result.settings = settingsOf(result.plan, task.asked);
-        result.certificate = certifier.judge(result.settings, draw(result.settings));
+        const Image& drawn = draw(result.settings);
+        result.certificate = certifier.judge(result.settings, drawn, CertificateParts::shading);
         if (result.certificate.covered == 0)
             return result;
         const ErrorNumbers& error = result.certificate.shading;
@@ -73,12 +74,13 @@ ToleranceResult drawWithin(const ToleranceTask& task, const std::function<const 
             trial.rungs.push_back(ladder.taken());
         result.trials.push_back(std::move(trial));
         result.holds = isWithin(task.tolerance, error) && result.certificate.nonFinite == 0;
-        if (result.holds)
-            return result;
-        if (step == kMostSteps || !stepUp(result.plan, error.mean.value)) {
+        if (!result.holds && step < kMostSteps && stepUp(result.plan, error.mean.value))
+            continue;
+        if (!result.holds)
             result.obstacle = obstacleOf(result);
-            return result;
-        }
+        if (request.sampling || request.transport)
+            result.certificate = certifier.judge(result.settings, drawn, CertificateParts::all);
+        return result;
     }
 }
 

@@ -62,7 +62,7 @@ std::size_t count(const std::vector<Seen>& seen, bool Seen::*what)
 } // namespace
 
 std::vector<std::string> unvouchedEffects(const PixelEstimator& estimator, bool samplingIsVouched,
-                                          std::span<const dvec2> places)
+                                          bool transportIsVouched, std::span<const dvec2> places)
 {
     const RayCaster& rays = estimator.rays();
     std::vector<Seen> seen(places.size());
@@ -75,9 +75,9 @@ std::vector<std::string> unvouchedEffects(const PixelEstimator& estimator, bool 
     });
     std::vector<std::string> effects;
     const std::size_t all = count(seen, &Seen::surface);
-    if (const std::size_t n = count(seen, &Seen::shadow))
+    if (const std::size_t n = count(seen, &Seen::shadow); n > 0 && !transportIsVouched)
         effects.push_back(fmt::format("transport: shadows of lamps, at {} of {} pixels", n, all));
-    if (const std::size_t n = count(seen, &Seen::others))
+    if (const std::size_t n = count(seen, &Seen::others); n > 0 && !transportIsVouched)
         effects.push_back(
             fmt::format("transport: {} of {} pixels see other surfaces, whose shadow in the environment's "
                         "light and whose own light are not traced",

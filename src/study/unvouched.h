@@ -11,8 +11,8 @@ namespace torrance {
 
 /// A line each: the effect, and what shows that it is there. Rays from the surfaces under `places` (pixels from the
 /// picture's top-left corner) look for lamps that a surface hides and for surfaces that others see.
-/// `samplingIsVouched`: the certificate has that part.
+/// `samplingIsVouched`, `transportIsVouched`: the certificate has that part.
 std::vector<std::string> unvouchedEffects(const PixelEstimator& estimator, bool samplingIsVouched,
-                                          std::span<const dvec2> places);
+                                          bool transportIsVouched, std::span<const dvec2> places);
 
 } // namespace torrance

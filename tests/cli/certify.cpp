@@ -156,7 +156,8 @@ TEST_F(Certify, RefusesWhatCannotBeCertified)
     const std::string out = folder.file("a.exr");
     for (const char* wrong : {"0", "-5", "15", "1048577", "99999999999999999999", "1.5", "half", "512,"})
         refused({"-o", out, std::string("--certify=") + wrong}, 2, "--certify");
-    refused({"-o", out, "--certify=transport"}, 2, "does not exist yet");
+    refused({"-o", out, "--certify=transprt"}, 2, "--certify=512,sampling,transport");
+    refused({"-o", out, "--certify=transport", "--preset", "phong", "-e", "none"}, 2, "no BRDF");
     refused({"-o", "-", "--certify"}, 2, "standard output");
     refused({"-o", out, "--view", "F", "--certify"}, 2, "--view");
     refused({"-o", out, "--camera-position", "0,0,5", "--target", "0,0,9", "--certify"}, 2, "no surface is seen");
@@ -173,6 +174,25 @@ TEST_F(Certify, AddsThePartOfSampling)
     EXPECT_GT(json["sampling"]["mean"]["value"].get<double>(), 0.0) << "one sample at a silhouette";
     EXPECT_EQ(json["not_vouched_for"].dump().find("sampling"), std::string::npos);
     EXPECT_EQ(verify("a.exr").exitCode, 0);
+}
+
+TEST_F(Certify, AddsThePartOfTransport)
+{
+    const Outcome outcome =
+        runTorrance({"render", "demo", "-r", "48x48", "-o", folder.file("a.exr"), "--certify=32,transport", "--quiet"});
+    ASSERT_EQ(outcome.exitCode, 0) << outcome.errors;
+    const auto json = nlohmann::json::parse(folder.content("a.exr.certificate.json"));
+    EXPECT_GT(json["transport"]["mean"]["low"].get<double>(), 0.01)
+        << "the demo's things stand on a table, in its light";
+    EXPECT_EQ(json["not_vouched_for"].dump().find("transport"), std::string::npos);
+    EXPECT_FALSE(json.contains("sampling"));
+    EXPECT_EQ(verify("a.exr").exitCode, 0);
+    std::string text = folder.content("a.exr.certificate.json");
+    const std::size_t place = text.find("\"value\"", text.find("\"transport\": {"));
+    ASSERT_NE(place, std::string::npos);
+    text.insert(text.find(':', place) + 2, "1"); // another number
+    std::ofstream(folder.file("a.exr.certificate.json")) << text;
+    EXPECT_EQ(verify("a.exr").exitCode, 1);
 }
 
 } // namespace

@@ -36,6 +36,33 @@ TEST_F(Reference, GivesTheSameBytesWhateverTheThreads)
     }
 }
 
+TEST_F(Reference, TransportGivesTheSameBytesWhateverTheThreadsAndAfterAnInterruption)
+{
+    const auto words = [&](const std::string& name, std::vector<std::string> more) {
+        std::vector<std::string> all = {"reference", "demo",         "--transport", "-r", "24x16",          "--samples",
+                                        "64",        "--checkpoint", "0",           "-o", folder.file(name)};
+        all.insert(all.end(), more.begin(), more.end());
+        return all;
+    };
+    run(words("a.exr", {}), {"TORRANCE_THREADS=1"});
+    run(words("b.exr", {}), {"TORRANCE_THREADS=3"});
+    EXPECT_EQ(folder.content("a.exr"), folder.content("b.exr"));
+    const std::string part = folder.file("c.exr.part");
+    const Outcome killed = runTorrance(words("c.exr", {}), {}, "", [&](int process) {
+        while (!std::filesystem::exists(part) && kill(process, 0) == 0)
+            std::this_thread::sleep_for(std::chrono::milliseconds(1));
+        kill(process, SIGKILL);
+    });
+    ASSERT_EQ(killed.exitCode, 128 + SIGKILL) << "it ended too soon: " << killed.errors;
+    const std::vector<std::string> other = {"reference",          "demo",    "-r", "24x16", "--samples", "64", "-o",
+                                            folder.file("c.exr"), "--resume"};
+    EXPECT_NE(runTorrance(other).errors.find("other options"), std::string::npos) << "without transport it is another";
+    run(words("c.exr", {"--resume"}));
+    EXPECT_EQ(folder.content("a.exr"), folder.content("c.exr"));
+    run({"reference", "demo", "-r", "24x16", "--samples", "64", "-o", folder.file("d.exr")});
+    EXPECT_NE(folder.content("a.exr"), folder.content("d.exr"));
+}
+
 TEST_F(Reference, WritesLayersIntoAnExrAndBesideOtherFiles)
 {
     run({"reference", "demo", "-r", "8x6", "--samples", "64", "-o", folder.file("a.png"), "--aov", "depth,variance"});
@@ -139,6 +166,7 @@ TEST_F(Reference, RefusesOptionsThatContradictEachOther)
                                                   {"--directions", "lights"},
                                                   {"--aov", "varience"},
                                                   {"--yardstick", "physics", "--preset", "gltf"},
+                                                  {"--transport", "--preset", "phong"},
                                                   {"--yardstick", "physics", "--diffuse", "burley"},
                                                   {"--fresnel", "exact_conductor"}})
     {

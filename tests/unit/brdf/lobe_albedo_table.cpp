@@ -29,6 +29,18 @@ TEST(LobeAlbedoTable, IsTheQuadrature)
     }
 }
 
+// The bias is a part of E, and is held to E's size: alone it is next to nothing where the surface is smooth.
+TEST(LobeAlbedoTable, BiasIsTheQuadraturesBias)
+{
+    NumberStream numbers(8);
+    for (int i = 0; i < 1000; ++i) {
+        const double r = numbers.next(), NoV = i % 2 == 0 ? numbers.next() : std::pow(10.0, -4.0 * numbers.next());
+        const AlbedoTerms terms = lobeTermsFromTable(NoV, r), exact = lobeTerms(NoV, r);
+        EXPECT_NEAR(terms.bias, exact.bias, 1e-6 * exact.albedo()) << NoV << ' ' << r;
+        EXPECT_NEAR(terms.albedo(), lobeAlbedoFromTable(NoV, r), 1e-15) << NoV << ' ' << r;
+    }
+}
+
 TEST(LobeAlbedoTable, HoldsAtTheEdges)
 {
     for (const double r : {0.0, 1e-3, 0.01, 0.0101, 0.5, 0.999, 1.0}) {
