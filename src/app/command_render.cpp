@@ -207,9 +207,8 @@ Json draw(Session& session, const std::string& input, const std::string& output)
     if (session.options.explain)
         sayBeside(session, explain(drawn.plan) + (drawn.tolerance ? toleranceText(*drawn.tolerance) : ""));
     if (session.certify && !session.tolerance)
-        drawn.certified.emplace().certificate = phases.time("certify", [&] {
-            return certify(scene, camera, session.settings, drawn.picture.color, *session.certify);
-        });
+        drawn.certified.emplace().certificate = phases.time(
+            "certify", [&] { return certify(scene, camera, session.settings, drawn.picture.color, *session.certify); });
     if (drawn.certified)
         describeCertified(session, input, output, loaded, camera, drawn);
     Picture& picture = drawn.picture;

@@ -101,8 +101,9 @@ std::vector<std::string> argumentsFound(std::vector<std::string> arguments, cons
         const Rung& rung = ladder.taken();
         arguments.push_back(methodOption(ladder.slot) + "=" + std::string(rung.method->id));
         if (rung.samples > 0)
-            arguments.push_back(fmt::format(
-                "--{}={}", ladder.slot == brdf::Slot::areaLight ? "light-samples" : "environment-samples", rung.samples));
+            arguments.push_back(
+                fmt::format("--{}={}", ladder.slot == brdf::Slot::areaLight ? "light-samples" : "environment-samples",
+                            rung.samples));
     }
     return arguments;
 }

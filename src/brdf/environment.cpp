@@ -257,7 +257,8 @@ dvec3 Es_mirror(const EnvironmentQuery& query)
 
 bool drawsSamples(const Method& environmentSpecular)
 {
-    constexpr std::string_view kLookUps[] = {"even", "split_sum", "split_sum_dominant", "phong_levels", "ggx_levels", "mirror"};
+    constexpr std::string_view kLookUps[] = {"even",         "split_sum",  "split_sum_dominant",
+                                             "phong_levels", "ggx_levels", "mirror"};
     return std::ranges::find(kLookUps, environmentSpecular.id) == std::end(kLookUps);
 }
 

@@ -186,8 +186,7 @@ std::vector<shared::Material> makeMaterials(const ShadingPlan& plan, std::span<c
 
 static_assert(kMostLights == shared::kMaxLights);
 
-std::vector<shared::Light> makeLights(const ShadingPlan& plan, std::span<const brdf::LampPoint> lamps,
-                                      const dvec3& eye)
+std::vector<shared::Light> makeLights(const ShadingPlan& plan, std::span<const brdf::LampPoint> lamps, const dvec3& eye)
 {
     // The least difference of the cones' cosines, KHR_lights_punctual's own: a hard edge is a very steep one.
     constexpr double kLeastCone = 0.001;

@@ -69,16 +69,17 @@ FrameInputs makeFrameInputs(const gpu::Device& device, const DeviceScene& scene,
     const dvec3 eye = cameraPosition(camera);
     const std::vector<shared::Instance> instances = makeInstances(scene.plan, scene.meshes, eye);
     const std::size_t shapeInstances = scene.scene.shapes.empty() ? 0 : instances.size();
-    FrameInputs frame = {
-        .scene = scene,
-        .camera = camera,
-        .frame =
-            gpu::makeBuffer(device, frameBlock(frameOf(scene, camera, offset, picture), makeLights(scene.plan, scene.environment.lampPoints, eye)),
-                            Usage::eUniformBuffer, "frame"),
-        .instances = gpu::makeBuffer(device, bytesOf(instances), Usage::eVertexBuffer, "instances"),
-        .shapeInstances = gpu::makeUniformBlocks(device, shared::kBindInstance,
-                                                 std::span(instances).first(shapeInstances), "shape instances"),
-        .bindings = {}};
+    FrameInputs frame = {.scene = scene,
+                         .camera = camera,
+                         .frame = gpu::makeBuffer(device,
+                                                  frameBlock(frameOf(scene, camera, offset, picture),
+                                                             makeLights(scene.plan, scene.environment.lampPoints, eye)),
+                                                  Usage::eUniformBuffer, "frame"),
+                         .instances = gpu::makeBuffer(device, bytesOf(instances), Usage::eVertexBuffer, "instances"),
+                         .shapeInstances =
+                             gpu::makeUniformBlocks(device, shared::kBindInstance,
+                                                    std::span(instances).first(shapeInstances), "shape instances"),
+                         .bindings = {}};
     frame.bindings = bindingsOf(frame, samplers);
     return frame;
 }

@@ -38,6 +38,14 @@ vk::Rect2D rectangleOf(const PixelBox& box)
     return {{box.first.x, box.first.y}, {static_cast<std::uint32_t>(size.x), static_cast<std::uint32_t>(size.y)}};
 }
 
+// Pixels that no surface covers are never shaded, and need no clearing; but lavapipe shades them in the lanes beside a
+// silhouette's, and in the loop over lamp points what lies there was seen to change the last bit of its neighbours.
+ClearColor attributesClear(const ShadingPlan& plan)
+{
+    const brdf::Method* specular = plan.settings.methods.environmentSpecular;
+    return plan.environmentLight && specular->id == "vndf_lamps" ? ClearColor(vec4(0.0f)) : kKeep;
+}
+
 // Whether the attributes path leaves something to be shaded as it is drawn.
 bool drawsDirectly(const ShadingPlan& plan)
 {
@@ -180,7 +188,8 @@ void Renderer::drawAttributes(gpu::Commands& commands, const FrameInputs& frame)
     for (std::size_t i = 0; i < attributePictures(frame.scene.plan); ++i) // there may be more, of another plan
         pointers.push_back(&targets.attributes->pictures[i]);
     // What lies under no class is never read: nothing is cleared but depth and classes.
-    beginRendering(commands, pointers, &targets.attributes->depth, kKeep, LoadTarget::clear);
+    beginRendering(commands, pointers, &targets.attributes->depth, attributesClear(frame.scene.plan),
+                   LoadTarget::clear);
     for (const Batch& batch : frame.scene.plan.batches) {
         if (batch.shadingClass < 0)
             continue;

@@ -1,5 +1,6 @@
 #include "plan/method_ladder.h"
 
+#include "brdf/dfg.h"
 #include "brdf/environment.h"
 
 #include <algorithm>
@@ -61,15 +62,29 @@ std::string whyRefused(const Method& method, const LadderScene& scene)
 {
     if (!method.ownModel.empty())
         return fmt::format("belongs to the model {}", method.ownModel);
+    const bool ofEnvironment = method.slot == Slot::environmentDiffuse || method.slot == Slot::environmentSpecular;
     if (method.id == "even" && !scene.even)
         return "outside its domain: the environment is not of one radiance";
+    if (ofEnvironment && method.id != "even" && scene.even)
+        return "even is exact here, and needs no map";
     if (method.id == "vndf_lamps" && !scene.lamps)
         return "its points have no place behind so many lights";
+    // Of light that is looked up, and of what compensation makes of it, the errors of albedos cancel; of directions
+    // that are drawn they do not.
+    if (method.slot == Slot::dfg && !brdf::findDfgTable(method.id) && !scene.even)
+        return "outside its domain: the specular slot may draw directions, whose light compensation would be wrong by "
+               "it";
     if (method.id == "sampled" && method.slot == Slot::environmentDiffuse)
         return "irradiance_cube holds the same integral"; // hundreds of times the cost, no error less
     if (method.id == "sh9_windowed")
         return "blurs what sh9 has";
     return "";
+}
+
+/// ns a pixel: the paired ratio to the slot's reference method, times its own time, which is the same for all.
+double costOf(const MethodRow& row, double reference)
+{
+    return row.cost->ratio.median * reference;
 }
 
 const MethodRow* rowOf(const MethodTable& table, const Method& method)
@@ -78,13 +93,13 @@ const MethodRow* rowOf(const MethodTable& table, const Method& method)
     return found == table.rows.end() || !found->cost || !found->error ? nullptr : &*found;
 }
 
-void addRungs(std::vector<Rung>& rungs, const MethodTable& table, const MethodRow& row, double cheapest,
-              std::span<const SeenSurface> surfaces, const LadderScene& scene)
+void addRungs(std::vector<Rung>& rungs, const MethodTable& table, const MethodRow& row, double reference,
+              double cheapest, std::span<const SeenSurface> surfaces, const LadderScene& scene)
 {
     const Method& method = *row.method;
     const bool exact = scene.even && (method.slot == Slot::environmentDiffuse || method.id == "even" ||
                                       method.id == "split_sum" || method.id == "split_sum_dominant");
-    const double cost = row.cost->nanoseconds.median;
+    const double cost = costOf(row, reference);
     const double error = exact ? 0.0 : expectedError(table, row, surfaces);
     if (!hasSamples(method)) {
         rungs.push_back({&method, 0, cost, error});
@@ -99,9 +114,8 @@ void addRungs(std::vector<Rung>& rungs, const MethodTable& table, const MethodRo
 // What something else is both cheaper and nearer than is no choice.
 std::vector<Rung> front(std::vector<Rung> rungs)
 {
-    std::ranges::stable_sort(rungs, [](const Rung& a, const Rung& b) {
-        return a.cost != b.cost ? a.cost < b.cost : a.error < b.error;
-    });
+    std::ranges::stable_sort(
+        rungs, [](const Rung& a, const Rung& b) { return a.cost != b.cost ? a.cost < b.cost : a.error < b.error; });
     std::vector<Rung> kept;
     for (const Rung& rung : rungs)
         if (kept.empty() || rung.error < kept.back().error)
@@ -116,9 +130,9 @@ double expectedError(const MethodTable& table, const MethodRow& row, std::span<c
     constexpr double kNoiseShare = 0.798 / 2.13;
     double sum = 0.0;
     for (const SeenSurface& surface : surfaces) {
-        const std::size_t cell =
-            table.grid.cell(nearest(table.grid.reflectances, surface.f0),
-                            nearest(table.grid.roughnesses, surface.perceptualRoughness), columnOf(table.grid, surface.NoV));
+        const std::size_t cell = table.grid.cell(nearest(table.grid.reflectances, surface.f0),
+                                                 nearest(table.grid.roughnesses, surface.perceptualRoughness),
+                                                 columnOf(table.grid, surface.NoV));
         double error = row.error->cells.empty() ? row.error->mean : row.error->cells[cell];
         if (std::isnan(error)) // its truth is black there
             error = row.error->mean;
@@ -138,21 +152,24 @@ std::optional<MethodLadder> ladderOf(const MethodTable& table, Slot slot, const 
     MethodLadder ladder;
     ladder.slot = slot;
     std::vector<const MethodRow*> candidates;
-    double cheapest = own->cost->nanoseconds.median;
+    const double reference = own->cost->nanoseconds.median / own->cost->ratio.median;
+    double cheapest = costOf(*own, reference);
     for (const Method& method : brdf::allMethods()) {
         const MethodRow* row = method.slot == slot ? rowOf(table, method) : nullptr;
         if (!row || row->truth != own->truth)
             continue;
-        if (std::string reason = whyRefused(method, scene); !reason.empty() && &method != &asked) {
+        if (std::string reason = whyRefused(method, scene); !reason.empty()) {
             ladder.refused.push_back({&method, std::move(reason)});
             continue;
         }
         candidates.push_back(row);
-        cheapest = std::min(cheapest, row->cost->nanoseconds.median);
+        cheapest = std::min(cheapest, costOf(*row, reference));
     }
     std::vector<Rung> rungs;
     for (const MethodRow* row : candidates)
-        addRungs(rungs, table, *row, cheapest, surfaces, scene);
+        addRungs(rungs, table, *row, reference, cheapest, surfaces, scene);
+    if (rungs.empty())
+        return std::nullopt;
     ladder.rungs = front(std::move(rungs));
     for (const MethodRow* row : candidates)
         if (std::ranges::find(ladder.rungs, row->method, &Rung::method) == ladder.rungs.end())

@@ -1,5 +1,6 @@
 #include "plan/shading_plan.h"
 
+#include "brdf/dfg.h"
 #include "brdf/environment.h"
 #include "core/error.h"
 #include "plan/attribute_plan.h"
@@ -283,8 +284,7 @@ void checkLamps(const ShadingPlan& plan)
         throw usageError("--environment-specular vndf_lamps takes the lamps out of the radiance that "
                          "--environment-diffuse sampled reads",
                          "use irradiance_cube, which is as exact");
-    const std::size_t points =
-        static_cast<std::size_t>(brdf::lampPointCount(plan.settings.environmentSamples));
+    const std::size_t points = static_cast<std::size_t>(brdf::lampPointCount(plan.settings.environmentSamples));
     if (plan.lights.size() + points > kMostLights)
         throw usageError("--environment-specular vndf_lamps: its " + std::to_string(points) + " points and " +
                              std::to_string(plan.lights.size()) + " lights are more than " +
@@ -394,6 +394,9 @@ void Planner::planLighting()
         plan.settings.methods.fresnel->id != "schlick")
         plan.remarks.push_back({"environment", "its Fresnel term is Schlick's",
                                 std::string(plan.settings.methods.fresnel->id) + " has no table"});
+    if (plan.dfgTable && plan.settings.methods.dfg && !brdf::findDfgTable(plan.settings.methods.dfg->id))
+        plan.remarks.push_back(
+            {"directional albedo table", "left out", std::string(plan.settings.methods.dfg->id) + " is a formula"});
     if (!plan.dfgTable)
         plan.remarks.push_back({"directional albedo table", "left out", "no shader reads it"});
 }

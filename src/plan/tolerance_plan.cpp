@@ -10,8 +10,7 @@ using brdf::Slot;
 
 std::size_t firstWithin(const MethodLadder& ladder, double error)
 {
-    const auto found =
-        std::ranges::find_if(ladder.rungs, [&](const Rung& rung) { return rung.error <= error; });
+    const auto found = std::ranges::find_if(ladder.rungs, [&](const Rung& rung) { return rung.error <= error; });
     return found == ladder.rungs.end() ? ladder.rungs.size() - 1
                                        : static_cast<std::size_t>(found - ladder.rungs.begin());
 }
@@ -29,6 +28,7 @@ TolerancePlan planTolerance(const MethodTable& table, const Tolerance& tolerance
                             const LadderScene& scene)
 {
     TolerancePlan plan = {tolerance, {}};
+    const double share = scene.even || !scene.environment ? kSlotShareAlone : kSlotShare;
     for (const Slot slot : kChosenSlots) {
         if (!asked[slot] || std::ranges::find(fixed, slot) != fixed.end())
             continue;
@@ -36,7 +36,7 @@ TolerancePlan planTolerance(const MethodTable& table, const Tolerance& tolerance
         if (!ladder)
             continue;
         if (slot != Slot::environmentSpecular)
-            ladder->at = firstWithin(*ladder, kSlotShare * tolerance.mean);
+            ladder->at = firstWithin(*ladder, share * tolerance.mean);
         plan.ladders.push_back(std::move(*ladder));
     }
     return plan;
@@ -53,7 +53,7 @@ Settings settingsOf(const TolerancePlan& plan, Settings settings)
     return settings;
 }
 
-bool stepUp(TolerancePlan& plan, double measured)
+bool stepUp(TolerancePlan& plan, double measured, std::string_view blamed)
 {
     MethodLadder* worst = nullptr;
     double expected = 0.0;
@@ -62,6 +62,9 @@ bool stepUp(TolerancePlan& plan, double measured)
         if (!ladder.isHighest() && (!worst || ladder.taken().error > worst->taken().error))
             worst = &ladder;
     }
+    for (MethodLadder& ladder : plan.ladders)
+        if (!ladder.isHighest() && brdf::slotName(ladder.slot) == blamed)
+            worst = &ladder;
     if (!worst)
         return false;
     const Rung drawn = worst->taken();
@@ -69,8 +72,7 @@ bool stepUp(TolerancePlan& plan, double measured)
     const double left = kAim * plan.tolerance.mean - (expected - drawn.error);
     do
         ++worst->at;
-    while (!worst->isHighest() &&
-           worst->taken().error * (worst->taken().method == drawn.method ? scale : 1.0) > left);
+    while (!worst->isHighest() && worst->taken().error * (worst->taken().method == drawn.method ? scale : 1.0) > left);
     return true;
 }
 

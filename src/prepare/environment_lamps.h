@@ -24,9 +24,9 @@ struct EnvironmentLamps
 inline constexpr double kLampFactor = 4.0;
 
 /// `radiance` is 6 faces of `size` (a power of two) RGBA texels. Lamps are cut into `count` regions, rectangles of
-/// faces, after Agarwal et al., Structured Importance Sampling of Environment Maps, 2003: always that region whose light
-/// is hardest to stand for by a point, judged by the second moment of its radiance and by its extent, at the best of 16
-/// places. Where there are fewer texels or no lamps, the last points are black. A pure function of its arguments.
+/// faces, after Agarwal et al., Structured Importance Sampling of Environment Maps, 2003: always that region whose
+/// light is hardest to stand for by a point, judged by the second moment of its radiance and by its extent, at the best
+/// of 16 places. Where there are fewer texels or no lamps, the last points are black. A pure function of its arguments.
 EnvironmentLamps splitLamps(const std::vector<float>& radiance, int size, int count);
 
 } // namespace torrance

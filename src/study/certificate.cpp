@@ -266,9 +266,8 @@ const Settings& requiredCertifiable(const Scene& scene, const Settings& settings
 } // namespace
 
 Certifier::Certifier(const Scene& s, const Camera& c, const Settings& settings, const CertificateRequest& r)
-    : scene(s), camera(c), request(r), asked(requiredCertifiable(s, settings, r)),
-      exact(exactSettings(settings, r)), estimator(s, c, exact),
-      covered(coveredPixels(estimator, settings.width, settings.height)),
+    : scene(s), camera(c), request(r), asked(requiredCertifiable(s, settings, r)), exact(exactSettings(settings, r)),
+      estimator(s, c, exact), covered(coveredPixels(estimator, settings.width, settings.height)),
       strata(drawSample(covered.size(), static_cast<std::size_t>(r.pixels), r.seed)), sample(pixelsOf(strata)),
       truths(integrated(estimator, covered, sample, r, exact.directions))
 {

@@ -97,8 +97,8 @@ enum class CertificateParts
 class Certifier
 {
 public:
-    /// Keeps references to scene and camera. Throws as requireCertifiable. The methods in `settings` are the model that is
-    /// asked for; those that stand in for integrals may differ from picture to picture, all else may not.
+    /// Keeps references to scene and camera. Throws as requireCertifiable. The methods in `settings` are the model that
+    /// is asked for; those that stand in for integrals may differ from picture to picture, all else may not.
     Certifier(const Scene& scene, const Camera& camera, const Settings& settings, const CertificateRequest& request);
 
     /// As certify, of a picture drawn with these settings.

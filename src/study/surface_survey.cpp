@@ -38,7 +38,7 @@ struct Sent
 };
 
 Sent lightOf(const Scene& scene, const brdf::Preset& methods, const dvec3& even, const dvec3& origin,
-               const VisibleSurface& seen)
+             const VisibleSurface& seen)
 {
     const MaterialPoint& m = seen.material;
     Sent light;
@@ -49,13 +49,13 @@ Sent lightOf(const Scene& scene, const brdf::Preset& methods, const dvec3& even,
     const brdf::AlbedoTerms terms = brdf::ggxAlbedo(NoV, m.perceptualRoughness);
     const double f0 = reflectanceOfIor(m.ior);
     const auto reflected = [&](const dvec3& reflectance) { return reflectance * terms.scale + terms.bias; };
-    light.lobe = m.occlusion *
-                 norm1(even * (reflected(dvec3(f0)) * (1.0 - m.metallic) + reflected(m.baseColor) * m.metallic));
+    light.lobe =
+        m.occlusion * norm1(even * (reflected(dvec3(f0)) * (1.0 - m.metallic) + reflected(m.baseColor) * m.metallic));
     light.body = m.occlusion * norm1(even * m.baseColor) * (1.0 - m.metallic) * (1.0 - f0) *
                  (1.0 - brdf::schlickDiffuseWeight(NoV));
     for (const torrance::Light& lamp : scene.lights) {
-        const double sent = norm1(
-            shadePunctual(methods, m, seen.surface.view, sampleLight(lamp, origin, seen.surface.position)));
+        const double sent =
+            norm1(shadePunctual(methods, m, seen.surface.view, sampleLight(lamp, origin, seen.surface.position)));
         (lamp.radius > 0.0 ? light.spheres : light.rest) += sent;
     }
     return light;

@@ -10,8 +10,8 @@
 
 namespace torrance {
 
-/// What the centres of these pixels see. The light of an environment is taken for even, of its mean radiance; shares are
-/// of the sum of all light so estimated: what is emitted, and sent by lamps, counts in the sum alone.
+/// What the centres of these pixels see. The light of an environment is taken for even, of its mean radiance; shares
+/// are of the sum of all light so estimated: what is emitted, and sent by lamps, counts in the sum alone.
 std::vector<SeenSurface> surveySurfaces(const PixelEstimator& estimator, const brdf::Preset& methods,
                                         std::span<const CoveredPixel> pixels);
 

@@ -1,8 +1,8 @@
 #include "study/tolerance_search.h"
 
+#include "brdf/environment.h"
 #include "plan/light_plan.h"
 #include "plan/shading_plan.h"
-#include "brdf/environment.h"
 #include "reference/shade.h"
 
 #include <algorithm>
@@ -74,7 +74,8 @@ ToleranceResult drawWithin(const ToleranceTask& task, const std::function<const 
             trial.rungs.push_back(ladder.taken());
         result.trials.push_back(std::move(trial));
         result.holds = isWithin(task.tolerance, error) && result.certificate.nonFinite == 0;
-        if (!result.holds && step < kMostSteps && stepUp(result.plan, error.mean.value))
+        if (!result.holds && step < kMostSteps &&
+            stepUp(result.plan, error.mean.value, result.certificate.worst->cause.slot))
             continue;
         if (!result.holds)
             result.obstacle = obstacleOf(result);

@@ -167,6 +167,24 @@ TEST_F(Certify, RefusesWhatCannotBeCertified)
     EXPECT_TRUE(folder.names().empty());
 }
 
+TEST_F(Certify, KnowsTheTruthsAsWellAsItIsAsked)
+{
+    render("a.exr", "--certify=32,noise=10%");
+    render("b.exr", "--certify=32,noise=0.01");
+    const auto noiseIn = [&](const char* name) {
+        const auto json = nlohmann::json::parse(folder.content(std::string(name) + ".certificate.json"));
+        EXPECT_EQ(json["sample"]["asked_noise"], name[0] == 'a' ? 0.1 : 0.01);
+        return json["sample"]["noise"].get<double>();
+    };
+    // Even points do better than the root of their number, and spreads of 16 estimates are known to a fifth.
+    EXPECT_LT(noiseIn("a.exr"), 0.12);
+    EXPECT_LT(noiseIn("b.exr"), 0.012);
+    EXPECT_EQ(verify("b.exr").exitCode, 0);
+    const std::string out = folder.file("c.exr");
+    for (const char* bad : {"noise=0", "noise=60%", "noise=few", "noise="})
+        expectRefused({"render", "demo", "-r", "16x16", "-o", out, std::string("--certify=") + bad}, 2, "noise");
+}
+
 TEST_F(Certify, AddsThePartOfSampling)
 {
     render("a.exr", "--certify=32,sampling");

@@ -2,8 +2,8 @@
 // double.
 #include "brdf/albedo.h"
 #include "brdf/environment.h"
-#include "drawing.h"
 #include "core/error.h"
+#include "drawing.h"
 #include "math/frame.h"
 #include "math/latlong.h"
 #include "math/low_discrepancy.h"
@@ -259,8 +259,7 @@ TEST(EnvironmentSpecular, TheDominantDirectionIsNearerAndSamplesConverge)
 // Even but for a sun of a few degrees.
 dvec3 sunOf(const dvec3& d)
 {
-    return dvec3(300.0, 250.0, 200.0) *
-           std::exp(1000.0 * (glm::dot(d, glm::normalize(dvec3(0.5, 0.7, 0.4))) - 1.0));
+    return dvec3(300.0, 250.0, 200.0) * std::exp(1000.0 * (glm::dot(d, glm::normalize(dvec3(0.5, 0.7, 0.4))) - 1.0));
 }
 
 dvec3 sunny(const dvec3& d)
@@ -289,8 +288,8 @@ TEST(EnvironmentSpecular, PointsFindTheLampsThatDirectionsMiss)
     for (const double roughness : {0.3, 0.5, 0.8}) {
         const Scene scene = ball(plainMaterial(dvec3(1.0), 1.0, roughness), environmentOf(sunny));
         const auto errorOf = [&](const char* id, int samples) {
-            const Picture picture = drawWith(scene, Slot::environmentSpecular,
-                                             *brdf::findMethod(Slot::environmentSpecular, id), samples);
+            const Picture picture =
+                drawWith(scene, Slot::environmentSpecular, *brdf::findMethod(Slot::environmentSpecular, id), samples);
             double error = 0.0, light = 0.0;
             forEachPixel(scene, [&](int x, int y, brdf::EnvironmentQuery query) {
                 query.samples = 256;

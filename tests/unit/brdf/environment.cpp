@@ -49,7 +49,8 @@ TEST(EnvironmentRows, IrradianceOfAnEvenEnvironmentIsExact)
     }
 }
 
-// Of light that is linear in the direction, bands above 1 are empty: all methods give 2/3 of its slope, but for the mean.
+// Of light that is linear in the direction, bands above 1 are empty: all methods give 2/3 of its slope, but for the
+// mean.
 TEST(EnvironmentRows, IrradianceOfALinearEnvironmentIsExact)
 {
     for (const Method* method : rowsOf(Slot::environmentDiffuse)) {

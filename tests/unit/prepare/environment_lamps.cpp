@@ -84,8 +84,8 @@ TEST(EnvironmentLamps, PointsHaveTheLightOfTheLampsAndADensity)
     }
 }
 
-// More points lie nearer to what they stand for: the mean distance of lamps' light from its point falls like the root of
-// their number, as regions of a plane do.
+// More points lie nearer to what they stand for: the mean distance of lamps' light from its point falls like the root
+// of their number, as regions of a plane do.
 TEST(EnvironmentLamps, MorePointsAreNearerToTheirLight)
 {
     const std::vector<float> whole = cubeOf(sky);
