@@ -156,7 +156,7 @@ TEST_F(Certify, RefusesWhatCannotBeCertified)
     const std::string out = folder.file("a.exr");
     for (const char* wrong : {"0", "-5", "15", "1048577", "99999999999999999999", "1.5", "half", "512,"})
         refused({"-o", out, std::string("--certify=") + wrong}, 2, "--certify");
-    refused({"-o", out, "--certify=transprt"}, 2, "--certify=512,sampling,transport");
+    refused({"-o", out, "--certify=transprt"}, 2, "--certify=512,noise=1%,sampling,transport");
     refused({"-o", out, "--certify=transport", "--preset", "phong", "-e", "none"}, 2, "no BRDF");
     refused({"-o", "-", "--certify"}, 2, "standard output");
     refused({"-o", out, "--view", "F", "--certify"}, 2, "--view");
