@@ -59,7 +59,7 @@ def main():
                     specular = last.get("environment_specular", "as asked")
                     samples = last.get("environment_specular_samples")
                     chosen = specular + (f" {samples}" if samples else "")
-                    nearest = found["holds"] or "nearest methods" in found["obstacle"]
+                    nearest = found["holds"] or found["nearest"]
                     failures += 0 if nearest else 1
                     rows.append((pathlib.Path(model).stem, pathlib.Path(environment).stem, tolerance,
                                  "kept" if found["holds"] else ("out of reach" if nearest else "NOT KEPT"),

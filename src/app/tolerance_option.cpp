@@ -119,6 +119,7 @@ Json toleranceJson(const ToleranceResult& result, const std::string& tableHash)
     Json::Object object = {{"mean", tolerance.mean},
                            {"percentile_99", tolerance.percentile99 ? Json(*tolerance.percentile99) : Json()},
                            {"holds", result.holds},
+                           {"nearest", isNearest(result.plan)},
                            {"methods_table", tableHash},
                            {"trials", trials}};
     if (!result.obstacle.empty())

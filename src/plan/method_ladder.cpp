@@ -67,6 +67,10 @@ std::string whyRefused(const Method& method, const LadderScene& scene)
         return "outside its domain: the environment is not of one radiance";
     if (ofEnvironment && method.id != "even" && scene.even)
         return "even is exact here, and needs no map";
+    // What a table says of directions alone is of its own environment: under lamps that it has not, they fail by far.
+    if (method.slot == Slot::environmentSpecular && brdf::drawsSamples(method) && method.id != "vndf_lamps" &&
+        scene.lamps)
+        return "vndf_lamps draws directions, too, and finds lamps besides";
     if (method.id == "vndf_lamps" && !scene.lamps)
         return "its points have no place behind so many lights";
     // Of light that is looked up, and of what compensation makes of it, the errors of albedos cancel; of directions

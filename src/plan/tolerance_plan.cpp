@@ -76,6 +76,11 @@ bool stepUp(TolerancePlan& plan, double measured, std::string_view blamed)
     return true;
 }
 
+bool isNearest(const TolerancePlan& plan)
+{
+    return std::ranges::all_of(plan.ladders, [](const MethodLadder& ladder) { return ladder.isHighest(); });
+}
+
 Remarks remarksOf(const TolerancePlan& plan)
 {
     Remarks remarks;

@@ -20,6 +20,15 @@ LadderScene factsOf(const Scene& scene, const Settings& asked)
             .spheres = std::ranges::any_of(plan.lights, [](const Light& light) { return light.radius > 0.0; })};
 }
 
+/// Values are within, an interval is not, and there are pixels that were not looked at.
+bool isOpen(const Tolerance& tolerance, const Certificate& certificate)
+{
+    const ErrorNumbers& error = certificate.shading;
+    const bool within = error.mean.value <= tolerance.mean &&
+                        (!tolerance.percentile99 || error.percentile99.value <= *tolerance.percentile99);
+    return certificate.covered > certificate.compared && within && !isWithin(tolerance, error);
+}
+
 std::string percent(double share)
 {
     return fmt::format("{:.3g} %", 100.0 * share);
@@ -34,13 +43,13 @@ std::string obstacleOf(const ToleranceResult& result)
     const double bound = ofMean ? tolerance.mean : tolerance.percentile99.value_or(0.0);
     const std::string what = fmt::format("the {} is {} ({} to {})", ofMean ? "mean error" : "99th percentile",
                                          percent(number.value), percent(number.low), percent(number.high));
-    const bool atTheTop =
-        std::ranges::all_of(result.plan.ladders, [](const MethodLadder& ladder) { return ladder.isHighest(); });
     if (number.value <= bound)
         return what + ": its interval is too wide, and more pixels (--certify N) or directions (--certify "
                       "noise=SHARE) narrow it";
     const WorstFound& worst = *result.certificate.worst;
-    return what + (atTheTop ? " with the nearest methods there are" : fmt::format(" after {} steps", kMostSteps)) +
+    return what +
+           (isNearest(result.plan) ? " with the nearest methods there are"
+                                   : fmt::format(" after {} steps", kMostSteps)) +
            "; at the worst pixel it comes from " +
            (worst.cause.method.empty() ? worst.cause.slot : worst.cause.slot + " " + worst.cause.method);
 }
@@ -58,14 +67,20 @@ ToleranceResult drawWithin(const ToleranceTask& task, const std::function<const 
     CertificateRequest request = task.request;
     if (!request.noise)
         request.noise = std::clamp(kToleranceNoise * task.tolerance.mean, kLeastNoise, kMostNoise);
-    const Certifier certifier(task.scene, task.camera, task.asked, request);
+    std::optional<Certifier> certifier;
+    certifier.emplace(task.scene, task.camera, task.asked, request);
     ToleranceResult result;
-    result.plan = planTolerance(task.table, task.tolerance, task.asked.methods, task.fixed, certifier.surfaces(),
+    result.plan = planTolerance(task.table, task.tolerance, task.asked.methods, task.fixed, certifier->surfaces(),
                                 factsOf(task.scene, task.asked));
     for (int step = 0;; ++step) {
         result.settings = settingsOf(result.plan, task.asked);
         const Image& drawn = draw(result.settings);
-        result.certificate = certifier.judge(result.settings, drawn, CertificateParts::shading);
+        result.certificate = certifier->judge(result.settings, drawn, CertificateParts::shading);
+        while (isOpen(task.tolerance, result.certificate) && request.pixels * kMorePixels <= kMostToleranceCertified) {
+            request.pixels *= kMorePixels;
+            certifier.emplace(task.scene, task.camera, task.asked, request);
+            result.certificate = certifier->judge(result.settings, drawn, CertificateParts::shading);
+        }
         if (result.certificate.covered == 0)
             return result;
         const ErrorNumbers& error = result.certificate.shading;
@@ -80,7 +95,7 @@ ToleranceResult drawWithin(const ToleranceTask& task, const std::function<const 
         if (!result.holds)
             result.obstacle = obstacleOf(result);
         if (request.sampling || request.transport)
-            result.certificate = certifier.judge(result.settings, drawn, CertificateParts::all);
+            result.certificate = certifier->judge(result.settings, drawn, CertificateParts::all);
         return result;
     }
 }

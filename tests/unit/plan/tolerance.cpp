@@ -138,8 +138,12 @@ TEST(TolerancePlan, RefusesWhatIsOutsideItsDomainAndSaysSo)
     LadderScene full = kLit;
     full.lamps = false;
     const TolerancePlan without = planFor(0.01, full);
-    for (const Rung& rung : ladderFor(without, Slot::environmentSpecular).rungs)
-        EXPECT_NE(rung.method->id, "vndf_lamps");
+    const auto has = [](const TolerancePlan& p, const char* id) {
+        const auto& rungs = ladderFor(p, Slot::environmentSpecular).rungs;
+        return std::ranges::any_of(rungs, [&](const Rung& rung) { return rung.method->id == id; });
+    };
+    EXPECT_TRUE(!has(without, "vndf_lamps") && has(without, "vndf_bounded")) << "no place behind the lights";
+    EXPECT_TRUE(has(plan, "vndf_lamps") && !has(plan, "vndf_bounded")) << "one method that draws directions";
     bool said = false;
     for (const Remark& remark : remarksOf(without))
         said |= remark.choice == "not vndf_lamps";
@@ -168,6 +172,7 @@ TEST(TolerancePlan, LeavesAloneWhatWasAskedForByNameAndWhatHasNothingToDo)
 TEST(TolerancePlan, StepsUpToWhatTheTableSaysIsEnough)
 {
     TolerancePlan plan = planFor(0.01);
+    EXPECT_FALSE(isNearest(plan));
     ASSERT_TRUE(stepUp(plan, 0.08));
     // Half of the light: 0.5 0.01 sqrt(64 / n) <= 0.75 %, so that n >= 28.4.
     EXPECT_EQ(ladderFor(plan, Slot::environmentSpecular).taken().method->id, "vndf_lamps");
@@ -178,6 +183,7 @@ TEST(TolerancePlan, StepsUpToWhatTheTableSaysIsEnough)
     // At least one step, whatever is expected; and none above the highest.
     ASSERT_TRUE(stepUp(plan, 1e-6));
     EXPECT_EQ(ladderFor(plan, Slot::environmentSpecular).taken().samples, 1024);
+    EXPECT_TRUE(isNearest(plan));
     EXPECT_FALSE(stepUp(plan, 0.5));
 }
 
