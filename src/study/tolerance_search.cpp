@@ -20,12 +20,12 @@ LadderScene factsOf(const Scene& scene, const Settings& asked)
             .spheres = std::ranges::any_of(plan.lights, [](const Light& light) { return light.radius > 0.0; })};
 }
 
-/// Values are within, an interval is not, and there are pixels that were not looked at.
+/// Values are well within, an interval is not, and there are pixels that were not looked at.
 bool isOpen(const Tolerance& tolerance, const Certificate& certificate)
 {
     const ErrorNumbers& error = certificate.shading;
-    const bool within = error.mean.value <= tolerance.mean &&
-                        (!tolerance.percentile99 || error.percentile99.value <= *tolerance.percentile99);
+    const bool within = error.mean.value <= kAim * tolerance.mean &&
+                        (!tolerance.percentile99 || error.percentile99.value <= kAim * *tolerance.percentile99);
     return certificate.covered > certificate.compared && within && !isWithin(tolerance, error);
 }
 
