@@ -69,8 +69,22 @@ TEST(EnvironmentLamps, PointsHaveTheLightOfTheLampsAndADensity)
         ASSERT_EQ(split.points.size(), static_cast<std::size_t>(count));
         dvec3 energy(0.0), expected(0.0);
         double covered = 0.0; // integral of the density where lamps shine: below 1, for regions reach beyond them
-        for (const brdf::LampPoint& point : split.points)
+        int inside = 0;
+        for (const brdf::LampPoint& point : split.points) {
             energy += point.energy;
+            // Under the point lies its own region, a rectangle of a face.
+            const CubePoint at = cubePoint(point.direction);
+            const auto texelOf = [](double a) {
+                return std::min(static_cast<int>((a + 1.0) / 2.0 * kSize), kSize - 1);
+            };
+            const float* lamp = &split.lamps.data[0][4 * cubeTexelIndex(at.face, texelOf(at.a), texelOf(at.b), kSize)];
+            const double mean = (double(lamp[0]) + double(lamp[1]) + double(lamp[2])) / 3.0;
+            if (point.density > 0.0 && mean > 0.0) {
+                EXPECT_NEAR(lamp[3] / mean, point.density, 1e-5 * point.density) << count;
+                ++inside;
+            }
+        }
+        EXPECT_GT(inside, 1);
         forEachTexel([&](std::size_t i, const dvec3&, double omega) {
             const float* lamp = &split.lamps.data[0][i];
             expected += omega * dvec3(lamp[0], lamp[1], lamp[2]);
