@@ -10,8 +10,9 @@ namespace torrance {
 
 /// After the first picture, methods go up this many times at most.
 inline constexpr int kMostSteps = 4;
-/// Where values are within kAim of the tolerance and an interval is not within, the same picture is compared at four
-/// times the pixels, up to this many: a few bad pixels widen the interval more than a dearer method would narrow it.
+/// Where values are within kAim of the tolerance (with the last methods, within it) and an interval is not, the same
+/// picture is compared at four times the pixels, up to this many: a few bad pixels widen the interval more than a
+/// dearer method would narrow it.
 inline constexpr int kMostToleranceCertified = 32768;
 inline constexpr int kMorePixels = 4;
 /// Of the tolerance: what the noise of the truths may be (CertificateRequest::noise). It then widens the interval's
