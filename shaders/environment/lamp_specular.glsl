@@ -10,16 +10,6 @@
 layout(constant_id = 3) const uint kEnvironmentSamples = 1;
 layout(constant_id = 5) const uint kLampPoints = 1;
 
-// Light of one direction, as the lobe's two sums take it.
-void addReflected(inout SpecularSums sums, vec3 light, float VoH)
-{
-    float x = max(1.0 - VoH, 0.0);
-    float x2 = x * x;
-    float schlick = x2 * x2 * x;
-    sums.scale += light * (1.0 - schlick);
-    sums.bias += light * schlick;
-}
-
 // n and v unit, in the environment's axes. `lamps` has their radiance and, in alpha, its mean times the density of their points.
 SpecularSums lampSums(samplerCube rest, samplerCube lamps, vec3 n, vec3 v, float alpha, float perceptualRoughness, vec2 rotation)
 {

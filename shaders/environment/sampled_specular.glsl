@@ -23,12 +23,7 @@ SpecularSums sampledSums(samplerCube radiance, vec3 n, vec3 v, float alpha, floa
         float V = SELECTED_visibility(view.z, s.l.z, s.h.z, VoH, alpha, perceptualRoughness);
         vec3 l = axes * s.l;
         float level = radianceLevel(l, float(kEnvironmentSamples), s.density, size);
-        vec3 light = textureLod(radiance, l, level).rgb * (s.weight * V);
-        float x = max(1.0 - VoH, 0.0);
-        float x2 = x * x;
-        float schlick = x2 * x2 * x;
-        sums.scale += light * (1.0 - schlick);
-        sums.bias += light * schlick;
+        addReflected(sums, textureLod(radiance, l, level).rgb * (s.weight * V), VoH);
     }
     sums.scale /= float(kEnvironmentSamples);
     sums.bias /= float(kEnvironmentSamples);

@@ -1,11 +1,5 @@
 // What the specular lobe reflects of an environment, by the method that selected.glsl chose.
-
-// A lobe of reflectance F0 (Schlick's, of F90 = 1) reflects F0 scale + bias.
-struct SpecularSums
-{
-    vec3 scale;
-    vec3 bias;
-};
+#include "environment/specular_sums.glsl"
 
 #if defined(SPECULAR_LAMPS)
 #include "environment/lamp_specular.glsl"

@@ -3,32 +3,22 @@
 #include "app/version.h"
 #include "plan/path_plan.h"
 #include "scene/scene_hash.h"
+#include "study/error_numbers.h"
 
-#include <cmath>
 #include <filesystem>
 #include <fmt/format.h>
 
 namespace torrance {
 namespace {
 
-std::string percent(double share)
-{
-    return std::isfinite(share) ? fmt::format("{:.3g} %", 100.0 * share) : "unbounded";
-}
-
-std::string boundedText(const Bounded& number)
-{
-    return percent(number.value) + " (" + percent(number.low) + " to " + percent(number.high) + ")";
-}
-
 std::string worstText(const Certificate& certificate)
 {
     const WorstFound& worst = *certificate.worst;
-    std::string text = fmt::format("; worst found {} at ({}, {})", percent(worst.error.value), worst.x, worst.y);
+    std::string text = fmt::format("; worst found {} at ({}, {})", percentText(worst.error.value), worst.x, worst.y);
     if (!worst.material.empty())
         text += " on " + worst.material;
     text += ", by " + worst.cause.slot + (worst.cause.method.empty() ? "" : " " + worst.cause.method);
-    return text + ", and at most " + percent(certificate.worseShare) + " of the pixels are worse";
+    return text + ", and at most " + percentText(certificate.worseShare) + " of the pixels are worse";
 }
 
 } // namespace

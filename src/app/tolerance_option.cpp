@@ -3,6 +3,8 @@
 #include "app/method_options.h"
 #include "app/option_value.h"
 #include "core/error.h"
+#include "study/certificate_file.h"
+#include "study/error_numbers.h"
 
 #include <CLI/CLI.hpp>
 
@@ -36,16 +38,6 @@ bool isReplaced(const std::string& argument, const TolerancePlan& plan)
     return std::ranges::any_of(plan.ladders, [&](const MethodLadder& ladder) {
         return argument.starts_with(methodOption(ladder.slot) + "=");
     });
-}
-
-std::string nameOf(const Rung& rung)
-{
-    return std::string(rung.method->id) + (rung.samples > 0 ? fmt::format(" {}", rung.samples) : "");
-}
-
-Json boundedJson(const Bounded& number)
-{
-    return Json::Object{{"value", number.value}, {"low", number.low}, {"high", number.high}};
 }
 
 Json rungsJson(const std::vector<Rung>& rungs)
@@ -134,8 +126,7 @@ std::string toleranceText(const ToleranceResult& result)
         std::string methods;
         for (const Rung& rung : trial.rungs)
             methods += (methods.empty() ? "" : ", ") + nameOf(rung);
-        text += fmt::format("  tried {}: mean {:.3g} % ({:.3g} to {:.3g})\n", methods.empty() ? "as asked" : methods,
-                            100.0 * trial.mean.value, 100.0 * trial.mean.low, 100.0 * trial.mean.high);
+        text += "  tried " + (methods.empty() ? "as asked" : methods) + ": mean " + boundedText(trial.mean) + "\n";
     }
     for (const Remark& remark : remarksOf(result.plan))
         text += "  " + remark.subject + ": " + remark.choice + " (" + remark.reason + ")\n";

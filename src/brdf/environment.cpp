@@ -255,6 +255,11 @@ dvec3 Es_mirror(const EnvironmentQuery& query)
     return query.radiance(mirrorDirection(query));
 }
 
+bool hasLampPoints(const Method& environmentSpecular)
+{
+    return environmentSpecular.id == "vndf_lamps";
+}
+
 bool drawsSamples(const Method& environmentSpecular)
 {
     constexpr std::string_view kLookUps[] = {"even",         "split_sum",  "split_sum_dominant",

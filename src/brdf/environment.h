@@ -44,6 +44,9 @@ int lampPointCount(int samples);
 inline constexpr int kLeastLampPoints = 64;
 inline constexpr int kMostLampPoints = 512; // behind the scene's lights, in one uniform block
 
+/// A method of the slot environmentSpecular that has such points.
+bool hasLampPoints(const Method& environmentSpecular);
+
 /// A method of the slot environmentSpecular that draws samples per pixel.
 bool drawsSamples(const Method& environmentSpecular);
 

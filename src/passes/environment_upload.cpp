@@ -128,7 +128,7 @@ void EnvironmentStore::addLight(EnvironmentImages& images, const Image& radiance
             diffuse == "sh9_windowed" ? windowed(irradianceHarmonics(radiance)) : irradianceHarmonics(radiance);
     if (specular.id != "even" && !samples)
         images.specular = &light().specular;
-    if (specular.id == "vndf_lamps" && diffuse != "sampled") {
+    if (brdf::hasLampPoints(specular)) { // the plan keeps it from a method that reads the whole radiance
         const LampImages& split = lamps(radiance, content, brdf::lampPointCount(settings.environmentSamples));
         images.radiance = &split.rest;
         images.lamps = &split.lamps;

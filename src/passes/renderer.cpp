@@ -1,5 +1,6 @@
 #include "passes/renderer.h"
 
+#include "brdf/environment.h"
 #include "core/error.h"
 #include "gpu/guard.h"
 #include "image/reconstruction.h"
@@ -43,7 +44,7 @@ vk::Rect2D rectangleOf(const PixelBox& box)
 ClearColor attributesClear(const ShadingPlan& plan)
 {
     const brdf::Method* specular = plan.settings.methods.environmentSpecular;
-    return plan.environmentLight && specular->id == "vndf_lamps" ? ClearColor(vec4(0.0f)) : kKeep;
+    return plan.environmentLight && brdf::hasLampPoints(*specular) ? ClearColor(vec4(0.0f)) : kKeep;
 }
 
 // Whether the attributes path leaves something to be shaded as it is drawn.

@@ -13,9 +13,6 @@ namespace {
 using brdf::Method;
 using brdf::Slot;
 
-/// A quarter of the cost of a direction is that of a point of the method vndf_lamps (docs/performance.md).
-constexpr double kPointCost = 0.25;
-
 double shareOf(Slot slot, const SeenSurface& surface)
 {
     switch (slot) {
@@ -52,12 +49,6 @@ bool hasSamples(const Method& method)
                                                     : method.slot == Slot::areaLight && method.id == "sampled";
 }
 
-// Directions, and points as so many of them.
-double effortOf(const Method& method, int samples)
-{
-    return samples + (method.id == "vndf_lamps" ? kPointCost * brdf::lampPointCount(samples) : 0.0);
-}
-
 std::string whyRefused(const Method& method, const LadderScene& scene)
 {
     if (!method.ownModel.empty())
@@ -68,10 +59,10 @@ std::string whyRefused(const Method& method, const LadderScene& scene)
     if (ofEnvironment && method.id != "even" && scene.even)
         return "even is exact here, and needs no map";
     // What a table says of directions alone is of its own environment: under lamps that it has not, they fail by far.
-    if (method.slot == Slot::environmentSpecular && brdf::drawsSamples(method) && method.id != "vndf_lamps" &&
+    if (method.slot == Slot::environmentSpecular && brdf::drawsSamples(method) && !brdf::hasLampPoints(method) &&
         scene.lamps)
         return "vndf_lamps draws directions, too, and finds lamps besides";
-    if (method.id == "vndf_lamps" && !scene.lamps)
+    if (method.slot == Slot::environmentSpecular && brdf::hasLampPoints(method) && !scene.lamps)
         return "its points have no place behind so many lights";
     // Of light that is looked up, and of what compensation makes of it, the errors of albedos cancel; of directions
     // that are drawn they do not.
@@ -97,22 +88,38 @@ const MethodRow* rowOf(const MethodTable& table, const Method& method)
     return found == table.rows.end() || !found->cost || !found->error ? nullptr : &*found;
 }
 
+/// What the samples of a row's method cost: what points cost is what vndf_lamps takes longer than vndf_bounded.
+struct SampleCost
+{
+    double direction = 0.0, point = 0.0; // ns a pixel
+    double of(int samples) const { return direction * samples + point * brdf::lampPointCount(samples); }
+};
+
+SampleCost sampleCostOf(const MethodTable& table, const MethodRow& row, double reference, double cheapest)
+{
+    double directions = costOf(row, reference), points = 0.0;
+    if (row.method->slot == Slot::environmentSpecular && brdf::hasLampPoints(*row.method))
+        if (const MethodRow* without = rowOf(table, *brdf::findMethod(row.method->slot, "vndf_bounded"))) {
+            points = std::max(directions - costOf(*without, reference), 0.0);
+            directions -= points;
+        }
+    return {std::max(directions - cheapest, 0.0) / kTableSamples, points / brdf::lampPointCount(kTableSamples)};
+}
+
 void addRungs(std::vector<Rung>& rungs, const MethodTable& table, const MethodRow& row, double reference,
-              double cheapest, std::span<const SeenSurface> surfaces, const LadderScene& scene)
+              double cheapest, std::span<const SeenSurface> surfaces)
 {
     const Method& method = *row.method;
-    const bool exact = scene.even && (method.slot == Slot::environmentDiffuse || method.id == "even" ||
-                                      method.id == "split_sum" || method.id == "split_sum_dominant");
-    const double cost = costOf(row, reference);
-    const double error = exact ? 0.0 : expectedError(table, row, surfaces);
+    // The table's environment is not even; where the method is allowed, the scene's is.
+    const double error = method.id == "even" ? 0.0 : expectedError(table, row, surfaces);
     if (!hasSamples(method)) {
-        rungs.push_back({&method, 0, cost, error});
+        rungs.push_back({&method, 0, costOf(row, reference), error});
         return;
     }
-    const double unit = std::max(cost - cheapest, 0.0) / effortOf(method, kTableSamples);
+    const SampleCost cost = sampleCostOf(table, row, reference, cheapest);
     for (const int samples : kLadderSamples)
-        rungs.push_back({&method, samples, cheapest + unit * effortOf(method, samples),
-                         error * std::sqrt(double(kTableSamples) / samples)});
+        rungs.push_back(
+            {&method, samples, cheapest + cost.of(samples), error * std::sqrt(double(kTableSamples) / samples)});
 }
 
 // What something else is both cheaper and nearer than is no choice.
@@ -128,6 +135,12 @@ std::vector<Rung> front(std::vector<Rung> rungs)
 }
 
 } // namespace
+
+std::string nameOf(const Rung& rung)
+{
+    return rung.samples > 0 ? fmt::format("{} with {} samples", rung.method->id, rung.samples)
+                            : std::string(rung.method->id);
+}
 
 double expectedError(const MethodTable& table, const MethodRow& row, std::span<const SeenSurface> surfaces)
 {
@@ -171,7 +184,7 @@ std::optional<MethodLadder> ladderOf(const MethodTable& table, Slot slot, const 
     }
     std::vector<Rung> rungs;
     for (const MethodRow* row : candidates)
-        addRungs(rungs, table, *row, reference, cheapest, surfaces, scene);
+        addRungs(rungs, table, *row, reference, cheapest, surfaces);
     if (rungs.empty())
         return std::nullopt;
     ladder.rungs = front(std::move(rungs));

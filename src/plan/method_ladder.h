@@ -36,6 +36,9 @@ struct Rung
     double error = 0.0; // mean error of the picture that is expected of it
 };
 
+/// "vndf_lamps with 64 samples".
+std::string nameOf(const Rung& rung);
+
 struct RefusedMethod
 {
     const brdf::Method* method = nullptr;

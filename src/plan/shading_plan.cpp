@@ -278,7 +278,7 @@ void checkLevels(const ShadingPlan& plan)
 void checkLamps(const ShadingPlan& plan)
 {
     const brdf::Preset& methods = plan.settings.methods;
-    if (!plan.environmentLight || methods.environmentSpecular->id != "vndf_lamps")
+    if (!plan.environmentLight || !brdf::hasLampPoints(*methods.environmentSpecular))
         return;
     if (methods.environmentDiffuse->id == "sampled")
         throw usageError("--environment-specular vndf_lamps takes the lamps out of the radiance that "

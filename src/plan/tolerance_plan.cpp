@@ -15,12 +15,6 @@ std::size_t firstWithin(const MethodLadder& ladder, double error)
                                        : static_cast<std::size_t>(found - ladder.rungs.begin());
 }
 
-std::string nameOf(const Rung& rung)
-{
-    return rung.samples > 0 ? fmt::format("{} with {} samples", rung.method->id, rung.samples)
-                            : std::string(rung.method->id);
-}
-
 } // namespace
 
 TolerancePlan planTolerance(const MethodTable& table, const Tolerance& tolerance, const brdf::Preset& asked,

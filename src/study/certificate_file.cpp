@@ -17,11 +17,6 @@ Json::Array colorJson(const dvec3& c)
     return {c.r, c.g, c.b};
 }
 
-Json boundedJson(const Bounded& number)
-{
-    return Json::Object{{"value", number.value}, {"low", number.low}, {"high", number.high}};
-}
-
 Json numbersJson(const ErrorNumbers& numbers)
 {
     return Json::Object{{"mean", boundedJson(numbers.mean)},
@@ -127,6 +122,11 @@ void addNumbers(const ErrorNumbers& numbers, const std::string& name, std::vecto
 }
 
 } // namespace
+
+Json boundedJson(const Bounded& number)
+{
+    return Json::Object{{"value", number.value}, {"low", number.low}, {"high", number.high}};
+}
 
 Json certificateJson(const Certificate& certificate, const CertifiedPicture& picture, const Settings& settings,
                      bool linear)

@@ -26,6 +26,8 @@ struct CertifiedPicture
 Json certificateJson(const Certificate& certificate, const CertifiedPicture& picture, const Settings& settings,
                      bool linear);
 
+Json boundedJson(const Bounded& number);
+
 /// The numbers that a verification holds against its own, by name, in the certificate's order.
 std::vector<std::pair<std::string, double>> comparedNumbers(const Certificate& certificate);
 

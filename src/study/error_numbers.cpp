@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <fmt/format.h>
 #include <limits>
 
 namespace torrance {
@@ -85,6 +86,16 @@ ErrorNumbers errorNumbers(std::span<const PixelStratum> strata, std::span<const 
     for (const PixelError& error : errors)
         relative.push_back(relativeError(error, kPixelFloor * meanNorm));
     return {meanOf(strata, errors), percentileOf(population, relative, 0.5), percentileOf(population, relative, 0.99)};
+}
+
+std::string percentText(double share)
+{
+    return std::isfinite(share) ? fmt::format("{:.3g} %", 100.0 * share) : "unbounded";
+}
+
+std::string boundedText(const Bounded& number)
+{
+    return percentText(number.value) + " (" + percentText(number.low) + " to " + percentText(number.high) + ")";
 }
 
 } // namespace torrance

@@ -5,6 +5,7 @@
 #include "study/pixel_sample.h"
 
 #include <span>
+#include <string>
 
 namespace torrance {
 
@@ -14,6 +15,10 @@ namespace torrance {
 /// its logarithm less so. Percentiles lie between sorted ends of the pixels' own intervals, by rank
 /// (measure/quantile_ranks.h).
 ErrorNumbers errorNumbers(std::span<const PixelStratum> strata, std::span<const PixelError> errors, double meanNorm);
+
+/// "5.27 %", or "unbounded"; and "5.27 % (3.31 % to 7.68 %)": for people.
+std::string percentText(double share);
+std::string boundedText(const Bounded& number);
 
 /// Mean |c|_1 over the covered pixels.
 double meanNormOf(std::span<const PixelStratum> strata, std::span<const PixelError> errors);

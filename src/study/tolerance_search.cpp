@@ -4,6 +4,7 @@
 #include "plan/light_plan.h"
 #include "plan/shading_plan.h"
 #include "reference/shade.h"
+#include "study/error_numbers.h"
 
 #include <algorithm>
 #include <fmt/format.h>
@@ -30,11 +31,6 @@ bool isOpen(const Tolerance& tolerance, const Certificate& certificate, double s
     return certificate.covered > certificate.compared && within && !isWithin(tolerance, error);
 }
 
-std::string percent(double share)
-{
-    return fmt::format("{:.3g} %", 100.0 * share);
-}
-
 std::string obstacleOf(const ToleranceResult& result)
 {
     const Tolerance& tolerance = result.plan.tolerance;
@@ -42,8 +38,8 @@ std::string obstacleOf(const ToleranceResult& result)
     const bool ofMean = error.mean.high > tolerance.mean;
     const Bounded& number = ofMean ? error.mean : error.percentile99;
     const double bound = ofMean ? tolerance.mean : tolerance.percentile99.value_or(0.0);
-    const std::string what = fmt::format("the {} is {} ({} to {})", ofMean ? "mean error" : "99th percentile",
-                                         percent(number.value), percent(number.low), percent(number.high));
+    const std::string what =
+        fmt::format("the {} is {}", ofMean ? "mean error" : "99th percentile", boundedText(number));
     if (number.value <= bound)
         return what + ": its interval is too wide, and more pixels (--certify N) or directions (--certify "
                       "noise=SHARE) narrow it";

@@ -48,4 +48,13 @@ inline ::testing::AssertionResult agrees(const Replicates& replicates, const dve
                                          << exact.b << "): p = " << p;
 }
 
+/// Estimate by estimate: what both have in common cancels.
+inline Replicates difference(const Replicates& a, const Replicates& b)
+{
+    Replicates result;
+    for (std::size_t r = 0; r < kReplicates; ++r)
+        result.values[r] = a.values[r] - b.values[r];
+    return result;
+}
+
 } // namespace torrance::test

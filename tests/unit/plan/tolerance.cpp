@@ -83,6 +83,20 @@ TEST(MethodLadder, IsAFrontOfCostAndError)
         }
 }
 
+// Directions cost what vndf_bounded takes longer than the cheapest, points what vndf_lamps takes longer than that; all
+// by ratios to the slot's own method, which took 110 where its row says 100.
+TEST(MethodLadder, CostsOfSamplesAreTheTables)
+{
+    const TolerancePlan plan = planFor(0.01);
+    const auto& rungs = ladderFor(plan, Slot::environmentSpecular).rungs;
+    const auto costOf = [&](int samples) { return std::ranges::find(rungs, samples, &Rung::samples)->cost / 1.1; };
+    const double direction = (3300.0 - 100.0) / 64, point = (8500.0 - 3300.0) / 256;
+    EXPECT_NEAR(costOf(64), 8500.0, 1e-6);
+    EXPECT_NEAR(costOf(16), 100.0 + 16 * direction + 64 * point, 1e-6);
+    EXPECT_NEAR(costOf(1024), 100.0 + 1024 * direction + 512 * point, 1e-6);
+    EXPECT_EQ(Settings().environmentSamples, kTableSamples) << "what the table's rows were drawn with";
+}
+
 TEST(MethodLadder, WeighsErrorsByTheSlotsShareOfTheLight)
 {
     const TolerancePlan plan = planFor(0.01);

@@ -11,6 +11,8 @@
 namespace torrance {
 namespace {
 
+using test::difference;
+
 Environment environmentOf(int width, const std::function<dvec3(const dvec3&)>& radiance)
 {
     Environment environment;
@@ -68,14 +70,6 @@ Replicates integrate(const brdf::Preset& preset, const LightIntegral::Source& so
         replicates.values[r] = integral.sumOfTurns(key, 0, turns) / (double(turns) * kDirectionsPerTurn);
     }
     return replicates;
-}
-
-Replicates difference(const Replicates& a, const Replicates& b)
-{
-    Replicates result;
-    for (std::size_t r = 0; r < kReplicates; ++r)
-        result.values[r] = a.values[r] - b.values[r];
-    return result;
 }
 
 std::string describe(const Case& c)

@@ -3,6 +3,7 @@
 
 #include "../math/confidence.h"
 #include "brdf/brdf.h"
+#include "closed_forms.h"
 #include "reference/pixel_estimate.h"
 #include "reference/shade.h"
 #include "scene/camera_fit.h"
@@ -14,31 +15,11 @@ namespace torrance {
 namespace {
 
 using test::agrees;
+using test::difference;
+using test::lambertPreset;
+using test::uniform;
 
 // --- Scenes ---------------------------------------------------------------------------------------------------------
-
-/// A surface that is Lambert's and nothing else, for closed forms: the base colour over pi.
-brdf::BrdfTerms lambertAlone(const brdf::Preset&, const brdf::ShadingPoint& point)
-{
-    brdf::BrdfTerms terms;
-    if (point.NoV <= 0 || point.NoL <= 0)
-        return terms;
-    terms.diffuse = terms.brdf = point.baseColor / kPi;
-    terms.weight = point.NoL;
-    return terms;
-}
-
-brdf::Preset lambertPreset()
-{
-    static const brdf::Method model = [] {
-        brdf::Method row = *brdf::findMethod(brdf::Slot::model, "gltf");
-        row.formula = &lambertAlone;
-        return row;
-    }();
-    brdf::Preset preset = *brdf::findPreset("gltf");
-    preset.model = &model;
-    return preset;
-}
 
 /// Directional albedo 1 of white surfaces, metals and dielectrics, smooth and rough, from wherever they are seen.
 brdf::Preset whitePreset()
@@ -46,15 +27,6 @@ brdf::Preset whitePreset()
     brdf::Preset preset = *brdf::findPreset("standard");
     preset.diffuseWeight = brdf::findMethod(brdf::Slot::diffuseWeight, "albedo_scaling");
     return preset;
-}
-
-Environment uniform(const dvec3& radiance)
-{
-    Environment environment;
-    environment.radiance = Image(8, 4, 3);
-    for (std::size_t i = 0; i < environment.radiance.texels.size(); ++i)
-        environment.radiance.texels[i] = static_cast<float>(radiance[static_cast<int>(i % 3)]);
-    return environment;
 }
 
 Material material(const dvec3& color, double metallic = 0.0, double roughness = 1.0)
@@ -155,14 +127,6 @@ Replicates meanOf(const Scene& scene, const Camera& camera, const ReferenceSetti
                 mean.values[r] += pixel.colors.values[r] / double(settings.width * settings.height);
         }
     return mean;
-}
-
-Replicates difference(const Replicates& a, const Replicates& b)
-{
-    Replicates result;
-    for (std::size_t r = 0; r < kReplicates; ++r)
-        result.values[r] = a.values[r] - b.values[r];
-    return result;
 }
 
 /// Looks down at a place of the floor y = 0 from the side, beneath what hangs above it.

@@ -1,20 +1,14 @@
 #include "reference/pixel_estimate.h"
 
 #include "../math/confidence.h"
+#include "closed_forms.h"
 #include "reference/pixel_condition.h"
 #include "scene/camera_fit.h"
 
 namespace torrance {
 namespace {
 
-Environment uniform(const dvec3& radiance)
-{
-    Environment environment;
-    environment.radiance = Image(8, 4, 3);
-    for (std::size_t i = 0; i < environment.radiance.texels.size(); ++i)
-        environment.radiance.texels[i] = static_cast<float>(radiance[static_cast<int>(i % 3)]);
-    return environment;
-}
+using test::uniform;
 
 /// A sphere of radius 1, half a metal, under a lamp and an even sky.
 Scene ball()

@@ -1,5 +1,6 @@
 #include "study/transport_part.h"
 
+#include "../reference/closed_forms.h"
 #include "brdf/brdf.h"
 #include "scene/camera_fit.h"
 #include "scene/shape_mesh.h"
@@ -9,17 +10,6 @@
 
 namespace torrance {
 namespace {
-
-/// Lambert's surface and nothing else, so that black absorbs all.
-brdf::BrdfTerms lambertAlone(const brdf::Preset&, const brdf::ShadingPoint& point)
-{
-    brdf::BrdfTerms terms;
-    if (point.NoV <= 0 || point.NoL <= 0)
-        return terms;
-    terms.diffuse = terms.brdf = point.baseColor / kPi;
-    terms.weight = point.NoL;
-    return terms;
-}
 
 /// A floor in an even sky, and over it a closed black dome, a cube, that lets `through` of the light pass. The camera
 /// is inside.
@@ -40,16 +30,10 @@ Scene domedFloor(double through)
 
 TransportPart partOf(double through, const dvec3& drawnShare)
 {
-    static const brdf::Method model = [] {
-        brdf::Method row = *brdf::findMethod(brdf::Slot::model, "gltf");
-        row.formula = &lambertAlone;
-        return row;
-    }();
     const Scene scene = domedFloor(through);
     const Camera camera = lookAtCamera(dvec3(0.3, 0.2, 3.0), dvec3(0.0), dvec3(0, 1, 0), 0.8);
     Settings settings;
-    settings.methods = *brdf::findPreset("gltf");
-    settings.methods.model = &model;
+    settings.methods = test::lambertPreset(); // black absorbs all
     settings.width = settings.height = 12;
     settings.samples = 1;
     const CertificateRequest request = {.pixels = 32, .transport = true, .directions = 1024};
