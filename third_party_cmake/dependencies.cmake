@@ -38,9 +38,14 @@ mark_as_advanced(VEGA_FOLDER)
 # Rays on the processor
 find_package(embree 3.13 REQUIRED)                            # debian: libembree-dev libtbb-dev
 
+# The window. Without them there is no `torrance view`; what draws pictures links neither.
+find_package(glfw3 3.3 CONFIG QUIET)                          # debian: libglfw3-dev
+pkg_check_modules(imgui QUIET IMPORTED_TARGET imgui>=1.86)    # debian: libimgui-dev
+
 if(TORRANCE_TESTS)
   find_package(GTest 1.12 REQUIRED)                           # debian: libgtest-dev
   find_package(Python3 3.9 REQUIRED COMPONENTS Interpreter)   # the checks of the tree itself
+  # The window's tests need a virtual screen, and hands.     # debian: xvfb xdotool libx11-dev
 endif()
 
 # GLM with one set of switches everywhere: clip depth runs 0..1 as Vulkan has it.

@@ -6,6 +6,7 @@
 #include <functional>
 #include <memory>
 #include <string>
+#include <vector>
 
 namespace CLI {
 class App;
@@ -20,6 +21,7 @@ struct GlobalOptions
     bool verbose = false;
     bool noCache = false;
     std::string json; // file for the command's result, "-" for standard output, empty for none
+    std::vector<std::string> arguments; // of the process, as they were given
 };
 
 struct Command

@@ -165,6 +165,7 @@ ExitCode runParsed(const std::vector<std::string>& arguments, const std::vector<
 {
     CLI::App program("Torrance draws glTF scenes with physically based shading and knows its own error.");
     GlobalOptions global;
+    global.arguments = arguments;
     declareProgram(program, global, commands);
     const Command* command = parse(program, arguments, commands);
     if (command == nullptr)

@@ -13,13 +13,14 @@
 #include "app/command_render.h"
 #include "app/command_stability.h"
 #include "app/command_verify.h"
+#include "app/command_view.h"
 #include "app/command_warm.h"
 
 namespace torrance {
 
 std::vector<Command> allCommands()
 {
-    return {renderCommand(),    referenceCommand(), inspectCommand(), compareCommand(),   methodsCommand(),
+    return {renderCommand(), viewCommand(),    referenceCommand(), inspectCommand(), compareCommand(),   methodsCommand(),
             probeCommand(),     benchCommand(),     chartCommand(),   calibrateCommand(), conformCommand(),
             stabilityCommand(), verifyCommand(),    devicesCommand(), warmCommand()};
 }

@@ -1,6 +1,7 @@
 #include "app/method_options.h"
 
 #include "app/option_value.h"
+#include "brdf/slot_option.h"
 #include "core/error.h"
 
 #include <CLI/CLI.hpp>
@@ -80,15 +81,6 @@ void setParameter(const std::string& choice, brdf::Preset& preset)
 
 } // namespace
 
-std::string methodOption(brdf::Slot slot)
-{
-    std::string name = "--" + std::string(brdf::slotName(slot));
-    for (char& c : name)
-        if (c == '_')
-            c = '-';
-    return name;
-}
-
 void declareModelChoices(CLI::App& app, ModelChoices& choices)
 {
     app.add_option("--quirk", choices.quirks,
@@ -117,7 +109,7 @@ void declareMethodOptions(CLI::App& app, MethodOptions& options)
     const brdf::Preset& standard = *brdf::findPreset("standard");
     for (const brdf::Slot slot : brdf::allSlots())
         if (standard[slot])
-            addChoice(app, methodOption(slot), options.overrides[slot], methodIds(slot), "Instead of the preset's")
+            addChoice(app, brdf::slotOption(slot), options.overrides[slot], methodIds(slot), "Instead of the preset's")
                 ->group("Methods");
     declareModelChoices(app, options.model);
 }
@@ -129,7 +121,7 @@ brdf::Preset chooseMethods(const MethodOptions& options)
         if (id.empty() || slot == brdf::Slot::model)
             continue;
         if (!preset[slot])
-            throw usageError("the preset " + std::string(preset.id) + " takes no " + methodOption(slot) +
+            throw usageError("the preset " + std::string(preset.id) + " takes no " + brdf::slotOption(slot) +
                                  ": its source defines that by itself, or not at all",
                              "leave it out, or use --preset standard");
         preset[slot] = brdf::findMethod(slot, id);

@@ -35,9 +35,6 @@ struct MethodOptions
 /// --preset, --quirk, --parameter, and one option per slot of a preset: --distribution, --visibility, ...
 void declareMethodOptions(CLI::App& app, MethodOptions& options);
 
-/// Such as "--environment-specular".
-std::string methodOption(brdf::Slot slot);
-
 brdf::Preset chooseMethods(const MethodOptions& options);
 
 } // namespace torrance

@@ -45,6 +45,18 @@ void declareOutputOptions(CLI::App& app, OutputOptions& options)
         ->group(group)
         ->type_name("FILE")
         ->required();
+    declareCurveOptions(app, options);
+    app.add_option("--bits", options.bits, "Bits per channel of PNG: 8 (default) or 16")
+        ->group(group)
+        ->check(CLI::IsMember({8, 16}));
+    app.add_option("--quality", options.quality, "Of JPEG and WebP, 1 to 100 (default 95)")
+        ->group(group)
+        ->check(CLI::Range(1, 100));
+}
+
+void declareCurveOptions(CLI::App& app, OutputOptions& options)
+{
+    const char* group = "Output";
     std::vector<std::string> curves;
     for (const ToneCurve& curve : allToneCurves())
         curves.emplace_back(curve.id);
@@ -59,12 +71,6 @@ void declareOutputOptions(CLI::App& app, OutputOptions& options)
         ->group(group);
     app.add_option("--exposure", options.exposure, "Stops added before the tone curve of display-referred pictures")
         ->group(group);
-    app.add_option("--bits", options.bits, "Bits per channel of PNG: 8 (default) or 16")
-        ->group(group)
-        ->check(CLI::IsMember({8, 16}));
-    app.add_option("--quality", options.quality, "Of JPEG and WebP, 1 to 100 (default 95)")
-        ->group(group)
-        ->check(CLI::Range(1, 100));
 }
 
 std::vector<std::string> outputNames(const OutputOptions& options, const std::vector<std::string>& inputs)

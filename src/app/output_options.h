@@ -26,6 +26,9 @@ struct OutputOptions
 
 void declareOutputOptions(CLI::App& app, OutputOptions& options);
 
+/// --tone, --transfer and --exposure alone.
+void declareCurveOptions(CLI::App& app, OutputOptions& options);
+
 /// One output per input. Error (usage) where two inputs would write one file, the format is not known, or an option was
 /// given that means nothing to it.
 std::vector<std::string> outputNames(const OutputOptions& options, const std::vector<std::string>& inputs);

@@ -1,7 +1,7 @@
 #include "app/tolerance_option.h"
 
-#include "app/method_options.h"
 #include "app/option_value.h"
+#include "brdf/slot_option.h"
 #include "core/error.h"
 #include "study/certificate_file.h"
 #include "study/error_numbers.h"
@@ -36,7 +36,7 @@ bool isReplaced(const std::string& argument, const TolerancePlan& plan)
         if (argument == name || argument.starts_with(std::string(name) + "="))
             return true;
     return std::ranges::any_of(plan.ladders, [&](const MethodLadder& ladder) {
-        return argument.starts_with(methodOption(ladder.slot) + "=");
+        return argument.starts_with(brdf::slotOption(ladder.slot) + "=");
     });
 }
 
@@ -91,7 +91,7 @@ std::vector<std::string> argumentsFound(std::vector<std::string> arguments, cons
     std::erase_if(arguments, [&](const std::string& argument) { return isReplaced(argument, plan); });
     for (const MethodLadder& ladder : plan.ladders) {
         const Rung& rung = ladder.taken();
-        arguments.push_back(methodOption(ladder.slot) + "=" + std::string(rung.method->id));
+        arguments.push_back(brdf::slotOption(ladder.slot) + "=" + std::string(rung.method->id));
         if (rung.samples > 0)
             arguments.push_back(
                 fmt::format("--{}={}", ladder.slot == brdf::Slot::areaLight ? "light-samples" : "environment-samples",

@@ -33,6 +33,8 @@ AccessState stateOf(Access access)
         return {Stage::eCopy, Bit::eTransferWrite, Layout::eTransferDstOptimal, true};
     case Access::hostRead:
         return {Stage::eHost, Bit::eHostRead, Layout::eGeneral, false};
+    case Access::present: // what follows waits for a semaphore, which makes all visible
+        return {Stage::eNone, {}, Layout::ePresentSrcKHR, false};
     }
     return {};
 }

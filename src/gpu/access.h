@@ -21,6 +21,7 @@ enum class Access
     transferRead,
     transferWrite,
     hostRead, // after the fence
+    present,  // handed to the window system
 };
 
 struct AccessState

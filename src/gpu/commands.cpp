@@ -31,8 +31,18 @@ Commands::Commands(const Device& d) : device(d), pool(makePool(d)), buffer(alloc
         device.hooks.begun(buffer);
 }
 
+Commands::~Commands()
+{
+    for (const auto& [history, old] : before)
+        *history = old;
+}
+
 void Commands::use(std::span<const ImageUse> images, std::span<const BufferUse> buffers)
 {
+    for (const ImageUse& image : images)
+        before.emplace(image.history, *image.history);
+    for (const BufferUse& use : buffers)
+        before.emplace(use.history, *use.history);
     const Barriers barriers = barriersBefore(images, buffers);
     if (!barriers.empty())
         buffer.pipelineBarrier2({.bufferMemoryBarrierCount = static_cast<std::uint32_t>(barriers.buffers.size()),
@@ -41,18 +51,44 @@ void Commands::use(std::span<const ImageUse> images, std::span<const BufferUse> 
                                  .pImageMemoryBarriers = barriers.images.data()});
 }
 
-void Commands::submitAndWait()
+void Commands::end()
 {
     if (device.hooks.ending)
         device.hooks.ending(buffer);
     buffer.end();
+    before.clear();
+}
+
+void Commands::submitAndWait()
+{
+    end();
     const vk::raii::Fence fence(device.handle, vk::FenceCreateInfo{});
     device.name(fence, "frame fence");
     const vk::CommandBufferSubmitInfo commandInfo = {.commandBuffer = *buffer};
-    device.queue.submit2(vk::SubmitInfo2{.commandBufferInfoCount = 1, .pCommandBufferInfos = &commandInfo}, *fence);
+    {
+        const std::lock_guard lock(*device.queueMutex);
+        device.queue.submit2(vk::SubmitInfo2{.commandBufferInfoCount = 1, .pCommandBufferInfos = &commandInfo}, *fence);
+    }
     // A software driver may take minutes for a huge picture: there is no time limit to set here.
     if (device.handle.waitForFences(*fence, true, UINT64_MAX) != vk::Result::eSuccess)
         throw Error(ExitCode::deviceFailure, device.description.name + ": the work did not end; choose another device");
+}
+
+void Commands::submit(const vk::raii::Semaphore& wait, const vk::raii::Semaphore& signal, const vk::raii::Fence& fence)
+{
+    end();
+    const vk::CommandBufferSubmitInfo commandInfo = {.commandBuffer = *buffer};
+    const vk::SemaphoreSubmitInfo waitInfo = {.semaphore = *wait, .stageMask = vk::PipelineStageFlagBits2::eCopy};
+    const vk::SemaphoreSubmitInfo signalInfo = {.semaphore = *signal,
+                                                .stageMask = vk::PipelineStageFlagBits2::eAllCommands};
+    const std::lock_guard lock(*device.queueMutex);
+    device.queue.submit2(vk::SubmitInfo2{.waitSemaphoreInfoCount = 1,
+                                         .pWaitSemaphoreInfos = &waitInfo,
+                                         .commandBufferInfoCount = 1,
+                                         .pCommandBufferInfos = &commandInfo,
+                                         .signalSemaphoreInfoCount = 1,
+                                         .pSignalSemaphoreInfos = &signalInfo},
+                         *fence);
 }
 
 ImageUse use(const DeviceImage& image, Access access, bool discard)

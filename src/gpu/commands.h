@@ -7,6 +7,7 @@
 
 #include <functional>
 #include <initializer_list>
+#include <map>
 #include <vector>
 
 namespace torrance::gpu {
@@ -15,6 +16,10 @@ class Commands
 {
 public:
     explicit Commands(const Device& device);
+    /// What was recorded and not submitted did not happen: the histories of what it used are what they were.
+    ~Commands();
+    Commands(const Commands&) = delete;
+    Commands& operator=(const Commands&) = delete;
 
     /// Records what must happen before the uses that follow.
     void use(std::span<const ImageUse> images, std::span<const BufferUse> buffers = {});
@@ -27,9 +32,15 @@ public:
     /// Ends the recording, runs it, waits. An Error (deviceFailure) where the device fails. May be called once.
     void submitAndWait();
 
+    /// Ends the recording and runs it, not before `wait` and, with all that it does, before `signal` and the fence,
+    /// which the caller waits for before this object goes. May be called once.
+    void submit(const vk::raii::Semaphore& wait, const vk::raii::Semaphore& signal, const vk::raii::Fence& fence);
+
     const Device& device;
 
 private:
+    void end();
+    std::map<AccessHistory*, AccessHistory> before; // of what was used so far; empty once it is submitted
     vk::raii::CommandPool pool;
 
 public:

@@ -47,12 +47,15 @@ vk::DebugUtilsMessengerCreateInfoEXT messengerInfo(ValidationLog& log)
             .pUserData = &log};
 }
 
-vk::raii::Instance makeInstance(const vk::raii::Context& context, bool validation, ValidationLog& log)
+vk::raii::Instance makeInstance(const vk::raii::Context& context, const DeviceOptions& options, ValidationLog& log)
 {
+    const bool validation = options.validation;
     if (context.enumerateInstanceVersion() < VK_API_VERSION_1_3)
         throw noDevice("the Vulkan loader is older than 1.3", "install a newer libvulkan1");
     std::vector<const char*> layers;
     std::vector<const char*> extensions;
+    for (const std::string& extension : options.windowExtensions)
+        extensions.push_back(extension.c_str());
     if (validation) {
         const auto installed = context.enumerateInstanceLayerProperties();
         if (std::ranges::none_of(
@@ -125,15 +128,18 @@ std::string commaSeparated(const std::vector<std::string>& items)
     return text;
 }
 
-vk::raii::PhysicalDevice choosePhysical(const vk::raii::Instance& instance, const std::string& choice)
+vk::raii::PhysicalDevice choosePhysical(const vk::raii::Instance& instance, const DeviceOptions& options)
 {
+    const std::string& choice = options.choice;
     auto devices = instance.enumeratePhysicalDevices();
     int best = -1;
     std::string unusable;
     for (std::size_t i = 0; i < devices.size(); ++i) {
-        const DeviceDescription device = describe(devices[i]);
+        DeviceDescription device = describe(devices[i]);
         if (!isChosen(device, i, choice))
             continue;
+        if (!options.windowExtensions.empty() && !supportsSwapchain(devices[i]))
+            device.missing.emplace_back("pictures in windows (VK_KHR_swapchain)");
         if (!device.missing.empty()) {
             unusable = device.name + " lacks " + commaSeparated(device.missing);
             continue;
@@ -159,7 +165,7 @@ std::vector<DeviceDescription> listDevices()
 {
     ValidationLog unused;
     const vk::raii::Context context = openLoader();
-    const vk::raii::Instance instance = makeInstance(context, false, unused);
+    const vk::raii::Instance instance = makeInstance(context, {}, unused);
     std::vector<DeviceDescription> list;
     for (const auto& device : instance.enumeratePhysicalDevices())
         list.push_back(describe(device));
@@ -168,11 +174,12 @@ std::vector<DeviceDescription> listDevices()
 
 Device::Device(const DeviceOptions& options)
     : validationLog(std::make_unique<ValidationLog>()), context(openLoader()),
-      instance(makeInstance(context, options.validation, *validationLog)),
+      instance(makeInstance(context, options, *validationLog)),
       messenger(options.validation ? vk::raii::DebugUtilsMessengerEXT(instance, messengerInfo(*validationLog))
                                    : vk::raii::DebugUtilsMessengerEXT(nullptr)),
-      physical(choosePhysical(instance, options.choice)), queueFamily(*graphicsQueueFamily(physical)),
-      handle(makeDevice(physical, queueFamily)), queue(handle, queueFamily, 0), memory(physical.getMemoryProperties()),
+      physical(choosePhysical(instance, options)), queueFamily(*graphicsQueueFamily(physical)),
+      handle(makeDevice(physical, queueFamily, !options.windowExtensions.empty())), queue(handle, queueFamily, 0),
+      queueMutex(std::make_unique<std::mutex>()), memory(physical.getMemoryProperties()),
       limits(physical.getProperties().limits), description(describe(physical))
 {
 }

@@ -20,6 +20,8 @@ struct DeviceOptions
     std::string choice;
     /// Validation and synchronization validation; a missing layer is an Error (noDevice).
     bool validation = false;
+    /// Instance extensions of the window system, for a device whose pictures are shown in a window; empty: they are not.
+    std::vector<std::string> windowExtensions = {};
 };
 
 /// What stands in the way of using a device; `missing` is empty for one that can be used.
@@ -82,6 +84,7 @@ public:
     std::uint32_t queueFamily;
     vk::raii::Device handle;
     vk::raii::Queue queue;
+    std::unique_ptr<std::mutex> queueMutex; // held while something is submitted: scenes are uploaded beside a window
     vk::PhysicalDeviceMemoryProperties memory;
     vk::PhysicalDeviceLimits limits;
     DeviceDescription description;

@@ -46,6 +46,12 @@ bool blendsFloat32(const vk::raii::PhysicalDevice& physical)
     return bool(features & vk::FormatFeatureFlagBits::eColorAttachmentBlend);
 }
 
+bool hasExtension(const std::vector<vk::ExtensionProperties>& available, const char* extension)
+{
+    return std::ranges::any_of(available,
+                               [&](const auto& e) { return std::string_view(e.extensionName) == extension; });
+}
+
 bool drawsDepthStencil(const vk::raii::PhysicalDevice& physical)
 {
     const auto features = physical.getFormatProperties(vk::Format::eD32SfloatS8Uint).optimalTilingFeatures;
@@ -83,9 +89,7 @@ std::vector<std::string> missingParts(const vk::raii::PhysicalDevice& physical)
     need(graphicsQueueFamily(physical).has_value(), "a graphics queue");
     const auto available = physical.enumerateDeviceExtensionProperties();
     for (const char* extension : kExtensions)
-        need(std::ranges::any_of(available,
-                                 [&](const auto& e) { return std::string_view(e.extensionName) == extension; }),
-             extension);
+        need(hasExtension(available, extension), extension);
     return missing;
 }
 
@@ -136,8 +140,16 @@ bool samplesDepth(const vk::raii::PhysicalDevice& physical)
            (limits.sampledImageDepthSampleCounts & kFour) && physical.getFeatures().sampleRateShading;
 }
 
-vk::raii::Device makeDevice(const vk::raii::PhysicalDevice& physical, std::uint32_t queueFamily)
+bool supportsSwapchain(const vk::raii::PhysicalDevice& physical)
 {
+    return hasExtension(physical.enumerateDeviceExtensionProperties(), VK_KHR_SWAPCHAIN_EXTENSION_NAME);
+}
+
+vk::raii::Device makeDevice(const vk::raii::PhysicalDevice& physical, std::uint32_t queueFamily, bool shows)
+{
+    std::vector<const char*> extensions(kExtensions.begin(), kExtensions.end());
+    if (shows)
+        extensions.push_back(VK_KHR_SWAPCHAIN_EXTENSION_NAME);
     const float priority = 1.0f;
     const vk::DeviceQueueCreateInfo queueInfo = {
         .queueFamilyIndex = queueFamily, .queueCount = 1, .pQueuePriorities = &priority};
@@ -154,8 +166,8 @@ vk::raii::Device makeDevice(const vk::raii::PhysicalDevice& physical, std::uint3
     const vk::DeviceCreateInfo info = {.pNext = &features.get<vk::PhysicalDeviceFeatures2>(),
                                        .queueCreateInfoCount = 1,
                                        .pQueueCreateInfos = &queueInfo,
-                                       .enabledExtensionCount = kExtensions.size(),
-                                       .ppEnabledExtensionNames = kExtensions.data()};
+                                       .enabledExtensionCount = static_cast<std::uint32_t>(extensions.size()),
+                                       .ppEnabledExtensionNames = extensions.data()};
     return vk::raii::Device(physical, info);
 }
 

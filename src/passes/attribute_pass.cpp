@@ -62,7 +62,7 @@ gpu::Bindings resolveBindings(const FrameInputs& frame, std::size_t index, const
     const ShadingPlan& plan = frame.scene.plan;
     const ShadingClass& shadingClass = plan.classes[index];
     gpu::Bindings bindings = frame.bindings;
-    bindTextures(bindings, shadingClass.textures, frame.scene.textures);
+    bindTextures(bindings, shadingClass.textures, *frame.scene.textures);
     if (shadingClass.blocks.size() < 2)
         frame.scene.materials.bind(bindings, static_cast<std::size_t>(shadingClass.blocks.front()));
     else

@@ -7,6 +7,8 @@
 #include "passes/texture_upload.h"
 #include "plan/shading_plan.h"
 
+#include <memory>
+
 namespace torrance {
 
 /// Scene, plan and the renderer that made it must outlive it.
@@ -14,8 +16,8 @@ struct DeviceScene
 {
     const Scene& scene;
     const ShadingPlan& plan;
-    MeshBuffers meshes;
-    Textures textures;
+    std::shared_ptr<const MeshBuffers> meshes; // these two outlast a plan that changes nothing of them
+    std::shared_ptr<const Textures> textures;
     EnvironmentImages environment;
     gpu::UniformBlocks materials;      // by ShadingPlan::blocks
     gpu::UniformBlocks classMaterials; // of the attributes path: attribute_pass.h

@@ -140,6 +140,7 @@ void EnvironmentStore::addLight(EnvironmentImages& images, const Image& radiance
 
 EnvironmentImages EnvironmentStore::get(const Scene& scene, const ShadingPlan& plan)
 {
+    const std::lock_guard lock(mutex);
     EnvironmentImages images;
     if (plan.environmentLight || plan.panorama) {
         const Image& radiance = scene.environment->radiance;

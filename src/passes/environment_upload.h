@@ -11,6 +11,7 @@
 #include <array>
 #include <filesystem>
 #include <map>
+#include <mutex>
 #include <span>
 #include <string>
 #include <string_view>
@@ -44,6 +45,7 @@ public:
     /// `cacheFolder` keeps prefiltered environments by their content; empty: they are made anew in every process.
     EnvironmentStore(const gpu::Device& device, const std::filesystem::path& cacheFolder);
 
+    /// From any thread.
     EnvironmentImages get(const Scene& scene, const ShadingPlan& plan);
 
 private:
@@ -57,6 +59,7 @@ private:
     const gpu::DeviceImage* albedoTable(const brdf::Preset& methods); // null for a fit
 
     const gpu::Device& device;
+    std::mutex mutex; // held by get
     DiskCache cache;
     std::map<std::string, gpu::DeviceImage> radianceCubes;     // by the panorama's content
     std::map<std::string, LampImages> lampImages;              // likewise, and by the number of points

@@ -67,7 +67,7 @@ FrameInputs makeFrameInputs(const gpu::Device& device, const DeviceScene& scene,
 {
     using Usage = vk::BufferUsageFlagBits;
     const dvec3 eye = cameraPosition(camera);
-    const std::vector<shared::Instance> instances = makeInstances(scene.plan, scene.meshes, eye);
+    const std::vector<shared::Instance> instances = makeInstances(scene.plan, *scene.meshes, eye);
     const std::size_t shapeInstances = scene.scene.shapes.empty() ? 0 : instances.size();
     FrameInputs frame = {.scene = scene,
                          .camera = camera,
@@ -86,7 +86,7 @@ FrameInputs makeFrameInputs(const gpu::Device& device, const DeviceScene& scene,
 
 void useFrame(gpu::Commands& commands, const FrameInputs& frame)
 {
-    std::vector<gpu::ImageUse> images = frame.scene.textures.uses();
+    std::vector<gpu::ImageUse> images = frame.scene.textures->uses();
     const EnvironmentImages& e = frame.scene.environment;
     for (const gpu::DeviceImage* image : {e.specular, e.diffuse, e.radiance, e.lamps, e.dfg, e.panorama})
         if (image)
@@ -95,8 +95,8 @@ void useFrame(gpu::Commands& commands, const FrameInputs& frame)
                                 gpu::use(frame.instances, gpu::Access::vertexRead),
                                 gpu::use(frame.shapeInstances.buffer, gpu::Access::shaderRead),
                                 gpu::use(frame.scene.materials.buffer, gpu::Access::shaderRead),
-                                gpu::use(frame.scene.meshes.vertices, gpu::Access::vertexRead),
-                                gpu::use(frame.scene.meshes.indices, gpu::Access::vertexRead)};
+                                gpu::use(frame.scene.meshes->vertices, gpu::Access::vertexRead),
+                                gpu::use(frame.scene.meshes->indices, gpu::Access::vertexRead)};
     commands.use(images, buffers);
 }
 

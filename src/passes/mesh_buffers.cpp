@@ -94,4 +94,14 @@ MeshBuffers makeMeshBuffers(const gpu::Device& device, const Scene& scene, const
     return buffers;
 }
 
+bool makesSameBuffers(const Scene& scene, const ShadingPlan& a, const ShadingPlan& b)
+{
+    return std::ranges::equal(tangentSources(scene, a), tangentSources(scene, b), [](const auto& x, const auto& y) {
+        const TextureUse* first = x.second;
+        const TextureUse* second = y.second;
+        const bool same = first && second ? *first == *second : first == second;
+        return x.first == y.first && same;
+    });
+}
+
 } // namespace torrance

@@ -44,4 +44,7 @@ inline constexpr double kRecentreRatio = 16.0;
 /// Uploads what the plan draws; makes the tangents that its shaders need and the file lacks.
 MeshBuffers makeMeshBuffers(const gpu::Device& device, const Scene& scene, const ShadingPlan& plan);
 
+/// Whether that is the same for two plans of one scene.
+bool makesSameBuffers(const Scene& scene, const ShadingPlan& a, const ShadingPlan& b);
+
 } // namespace torrance

@@ -20,6 +20,7 @@
 
 #include <algorithm>
 #include <array>
+#include <utility>
 
 namespace torrance {
 namespace {
@@ -68,24 +69,55 @@ Renderer::Renderer(const gpu::Device& d, gpu::ShaderLibrary& s, const std::files
 {
 }
 
-DeviceScene Renderer::upload(const Scene& scene, const ShadingPlan& plan, const Camera* onlyCamera)
+void Renderer::requireSampling(const ShadingPlan& plan) const
 {
     if (shadesOncePerPixel(plan.settings) && !device.samplesDepth())
         throw usageError(device.description.name + " draws no depth of four samples at the standard places",
                          "use --pixel-sampling supersampled");
+}
+
+DeviceScene Renderer::assemble(const Scene& scene, const ShadingPlan& plan, std::span<const int> finest,
+                               std::shared_ptr<const MeshBuffers> meshes, std::shared_ptr<const Textures> textures)
+{
+    const std::vector<shared::Material> materials = makeMaterials(plan, finest);
+    return DeviceScene{.scene = scene,
+                       .plan = plan,
+                       .meshes = std::move(meshes),
+                       .textures = std::move(textures),
+                       .environment = environments.get(scene, plan),
+                       .materials =
+                           gpu::makeUniformBlocks(device, shared::kBindMaterial, std::span(materials), "materials"),
+                       .classMaterials = makeClassBlocks(device, plan, materials)};
+}
+
+DeviceScene Renderer::upload(const Scene& scene, const ShadingPlan& plan, const Camera* onlyCamera)
+{
+    requireSampling(plan);
     return gpu::guarded(device, [&] {
         const std::vector<int> finest =
             onlyCamera ? finestLevels(scene, plan, *onlyCamera) : std::vector<int>(plan.textures.size(), 0);
-        const std::vector<shared::Material> materials = makeMaterials(plan, finest);
-        return DeviceScene{.scene = scene,
-                           .plan = plan,
-                           .meshes = makeMeshBuffers(device, scene, plan),
-                           .textures = Textures(device, scene, plan, finest),
-                           .environment = environments.get(scene, plan),
-                           .materials =
-                               gpu::makeUniformBlocks(device, shared::kBindMaterial, std::span(materials), "materials"),
-                           .classMaterials = makeClassBlocks(device, plan, materials)};
+        return assemble(scene, plan, finest, std::make_shared<MeshBuffers>(makeMeshBuffers(device, scene, plan)),
+                        std::make_shared<Textures>(device, scene, plan, finest));
     });
+}
+
+DeviceScene Renderer::replan(const DeviceScene& old, const ShadingPlan& plan)
+{
+    requireSampling(plan);
+    return gpu::guarded(device, [&] {
+        const Scene& scene = old.scene;
+        const std::vector<int> finest(plan.textures.size(), 0);
+        const bool sameMeshes = makesSameBuffers(scene, old.plan, plan);
+        const bool sameTextures = makesSameTextures(old.plan, plan);
+        return assemble(scene, plan, finest,
+                        sameMeshes ? old.meshes : std::make_shared<MeshBuffers>(makeMeshBuffers(device, scene, plan)),
+                        sameTextures ? old.textures : std::make_shared<Textures>(device, scene, plan, finest));
+    });
+}
+
+void Renderer::prepareEnvironment(const Scene& scene, const ShadingPlan& plan)
+{
+    gpu::guarded(device, [&] { environments.get(scene, plan); });
 }
 
 const gpu::Pipeline& Renderer::imagePipeline(const std::string& fragment, const std::string& selected,
@@ -348,6 +380,17 @@ void Renderer::drawFrame(const DeviceScene& scene, const Camera& camera, const P
     gpu::guarded(device, [&] { drawColor(scene, camera, dvec2(0.0), 0, observer); });
 }
 
+Renderer::Pipelines Renderer::exchangePipelines(Pipelines others)
+{
+    return {.surfaces = surfacePipelines.exchange(std::move(others.surfaces)),
+            .images = std::exchange(imagePipelines, std::move(others.images))};
+}
+
+const gpu::DeviceImage& Renderer::frame(const ShadingPlan& plan) const
+{
+    return shadesOncePerPixel(plan.settings) ? targets.edges->result : targets.color;
+}
+
 void Renderer::accumulate(const gpu::DeviceImage& sum, int index, int count)
 {
     const gpu::Pipeline& pipeline =
@@ -407,10 +450,7 @@ Picture Renderer::render(const DeviceScene& scene, const Camera& camera, const s
             if (progress)
                 progress(i + 1, count);
         }
-        const gpu::DeviceImage& result = sum                            ? *sum
-                                         : shadesOncePerPixel(settings) ? targets.edges->result
-                                                                        : targets.color;
-        Picture picture = {.color = readBack(device, result), .layers = {}};
+        Picture picture = {.color = readBack(device, sum ? *sum : frame(scene.plan)), .layers = {}};
         if (settings.layers)
             picture.layers = drawLayers(scene, camera);
         return picture;

@@ -50,12 +50,30 @@ public:
     /// cannot read are left out (plan/level_plan.h). The scene's texels are not read afterwards.
     DeviceScene upload(const Scene& scene, const ShadingPlan& plan, const Camera* onlyCamera = nullptr);
 
+    /// Another plan of the same scene, whose materials, lights, environment and settings may have changed since; meshes
+    /// and textures are uploaded again only where the plan changes them. `old` was uploaded for any camera.
+    DeviceScene replan(const DeviceScene& old, const ShadingPlan& plan);
+
+    /// Makes what the plan reads of the scene's environment, so that the scene is uploaded without waiting for it. May
+    /// run beside everything else.
+    void prepareEnvironment(const Scene& scene, const ShadingPlan& plan);
+
     /// `progress` is called with (done, all) samples after each. Throws Error (deviceFailure, usage).
     Picture render(const DeviceScene& scene, const Camera& camera, const std::function<void(int, int)>& progress = {});
 
     /// The picture of one sample at the pixels' centres, or of one shading a pixel, left on the device: what a frame of
     /// a window costs. With an observer each pass is submitted apart, else all at once. Throws as render().
     void drawFrame(const DeviceScene& scene, const Camera& camera, const PassObserver& observer = {});
+
+    /// What drawFrame left: RGBA, scene-linear, premultiplied. Valid until a frame of another size is drawn.
+    const gpu::DeviceImage& frame(const ShadingPlan& plan) const;
+
+    /// Pipelines as they were made so far. Without them, drawing makes them anew, from the shaders as they are then.
+    struct Pipelines
+    {
+        SurfacePipelines::Map surfaces, images;
+    };
+    Pipelines exchangePipelines(Pipelines others);
 
     std::size_t pipelineCount() const { return surfacePipelines.count() + imagePipelines.size(); }
 
@@ -78,6 +96,9 @@ private:
         const char* name;
         std::function<void(gpu::Commands&)> record;
     };
+    void requireSampling(const ShadingPlan& plan) const;
+    DeviceScene assemble(const Scene& scene, const ShadingPlan& plan, std::span<const int> finest,
+                         std::shared_ptr<const MeshBuffers> meshes, std::shared_ptr<const Textures> textures);
     void prepareTargets(const ShadingPlan& plan);
     FrameInputs inputsOf(const DeviceScene& scene, const Camera& camera, const dvec2& offset, int picture);
     void drawColor(const DeviceScene& scene, const Camera& camera, const dvec2& offset, int picture,

@@ -173,7 +173,7 @@ void bindStreams(gpu::Commands& commands, const ShaderKey& key, SurfaceOutput ou
     std::vector<vk::Buffer> buffers;
     std::vector<vk::DeviceSize> offsets;
     for (const VertexAttribute attribute : attributesOf(key, output)) {
-        buffers.push_back(*frame.scene.meshes.vertices.handle);
+        buffers.push_back(*frame.scene.meshes->vertices.handle);
         const bool second = attribute == VertexAttribute::uv0 && draw.uvSet == 1;
         offsets.push_back(range.streams[static_cast<std::size_t>(second ? VertexAttribute::uv1 : attribute)]);
     }
@@ -194,7 +194,7 @@ void drawOnce(gpu::Commands& commands, const Batch& batch, SurfaceOutput output,
         commands.buffer.draw(3, 1, 0, 0);
         return;
     }
-    const PrimitiveRange& range = frame.scene.meshes.ranges[static_cast<std::size_t>(draw.primitive)];
+    const PrimitiveRange& range = frame.scene.meshes->ranges[static_cast<std::size_t>(draw.primitive)];
     commands.buffer.setCullMode(cull);
     commands.buffer.setFrontFace(draw.mirrored ? vk::FrontFace::eClockwise : vk::FrontFace::eCounterClockwise);
     bindStreams(commands, batch.key, output, frame, draw, range);
@@ -275,13 +275,13 @@ void drawBatch(gpu::Commands& commands, const gpu::Pipeline& pipeline, const Bat
                const FrameInputs& frame)
 {
     gpu::Bindings bindings = frame.bindings;
-    bindTextures(bindings, batch.textures, frame.scene.textures);
+    bindTextures(bindings, batch.textures, *frame.scene.textures);
     if (const auto role = levelRole(frame.scene.plan, batch.textures); role && output == SurfaceOutput::attributes) {
         const int texture = batch.textures[static_cast<std::size_t>(*role)];
-        bindings.set(shared::kBindLevel, frame.scene.textures.image(texture), frame.scene.textures.sampler(texture));
+        bindings.set(shared::kBindLevel, frame.scene.textures->image(texture), frame.scene.textures->sampler(texture));
     }
     commands.buffer.bindPipeline(vk::PipelineBindPoint::eGraphics, *pipeline.handle);
-    commands.buffer.bindIndexBuffer(*frame.scene.meshes.indices.handle, 0, vk::IndexType::eUint32);
+    commands.buffer.bindIndexBuffer(*frame.scene.meshes->indices.handle, 0, vk::IndexType::eUint32);
     int bound = -1; // the block of a material
     const Settings& settings = frame.scene.plan.settings;
     for (const Draw& draw : batch.draws) {

@@ -8,6 +8,7 @@
 
 #include <map>
 #include <string>
+#include <utility>
 
 namespace torrance {
 
@@ -44,10 +45,14 @@ public:
     const gpu::Pipeline& get(const ShadingPlan& plan, const Batch& batch, SurfaceOutput output);
     std::size_t count() const { return pipelines.size(); }
 
+    using Map = std::map<std::string, gpu::Pipeline>; // by everything that they are made from
+    /// Puts others in the place of those that were made so far.
+    Map exchange(Map others) { return std::exchange(pipelines, std::move(others)); }
+
 private:
     const gpu::Device& device;
     gpu::ShaderLibrary& shaders;
-    std::map<std::string, gpu::Pipeline> pipelines; // by everything that they are made from
+    Map pipelines;
 };
 
 /// Records the draws of one batch inside a rendering, `pipeline` being that of its key and `output`.

@@ -115,4 +115,28 @@ Image readBack(const gpu::Device& device, const gpu::DeviceImage& target)
     return image;
 }
 
+gpu::DeviceImage makeCodeTarget(const gpu::Device& device, vk::Format format, int width, int height, const char* name)
+{
+    return gpu::makeImage(
+        device,
+        {.width = static_cast<std::uint32_t>(width), .height = static_cast<std::uint32_t>(height), .format = format},
+        vk::ImageUsageFlagBits::eColorAttachment | vk::ImageUsageFlagBits::eTransferSrc, name);
+}
+
+CodeImage readCodes(const gpu::Device& device, const gpu::DeviceImage& target)
+{
+    const gpu::ImageShape& shape = target.shape;
+    CodeImage image = {.width = static_cast<int>(shape.width), .height = static_cast<int>(shape.height), .codes = {}};
+    image.codes.resize(std::size_t(shape.width) * shape.height * 4);
+    const gpu::Buffer buffer = gpu::makeReadbackBuffer(device, image.codes.size(), "codes");
+    gpu::Commands commands(device);
+    gpu::copyToBuffer(commands, target, buffer);
+    commands.submitAndWait();
+    std::memcpy(image.codes.data(), buffer.mapped, image.codes.size());
+    if (shape.format == vk::Format::eB8G8R8A8Unorm)
+        for (std::size_t i = 0; i < image.codes.size(); i += 4)
+            std::swap(image.codes[i], image.codes[i + 2]);
+    return image;
+}
+
 } // namespace torrance

@@ -43,6 +43,26 @@ inline constexpr ClearColor kClearToNothing = vec4(0.0f); // no light, no covera
 void beginRendering(gpu::Commands& commands, std::span<const gpu::DeviceImage* const> colors,
                     const gpu::DeviceImage* depth, const ClearColor& clearColor, LoadTarget loadDepth);
 
+/// One of 8-bit codes: what a screen is sent.
+gpu::DeviceImage makeCodeTarget(const gpu::Device& device, vk::Format format, int width, int height, const char* name);
+
+/// Codes of red, green, blue and alpha.
+struct CodeImage
+{
+    int width = 0;
+    int height = 0;
+    std::vector<std::uint8_t> codes;
+
+    const std::uint8_t* at(int x, int y) const
+    {
+        return codes.data() +
+               4 * (static_cast<std::size_t>(y) * static_cast<std::size_t>(width) + static_cast<std::size_t>(x));
+    }
+};
+
+/// The content of a target of R8G8B8A8 or B8G8R8A8.
+CodeImage readCodes(const gpu::Device& device, const gpu::DeviceImage& target);
+
 /// The target's content, 4 channels.
 Image readBack(const gpu::Device& device, const gpu::DeviceImage& target);
 

@@ -137,4 +137,9 @@ std::vector<gpu::ImageUse> Textures::uses() const
     return list;
 }
 
+bool makesSameTextures(const ShadingPlan& a, const ShadingPlan& b)
+{
+    return a.textures == b.textures && levelBias(a.settings) == levelBias(b.settings);
+}
+
 } // namespace torrance

@@ -28,4 +28,7 @@ private:
     std::vector<Sampler> samplerOf;
 };
 
+/// Whether two plans of one scene have the same textures, each whole.
+bool makesSameTextures(const ShadingPlan& a, const ShadingPlan& b);
+
 } // namespace torrance

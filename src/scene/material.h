@@ -16,6 +16,7 @@ struct TextureUse
     glm::dmat3x2 transform = glm::dmat3x2(1.0, 0.0, 0.0, 1.0, 0.0, 0.0); // columns: d/du, d/dv, offset
 
     bool used() const { return texture >= 0; }
+    bool operator==(const TextureUse&) const = default;
 };
 
 enum class AlphaMode
@@ -51,6 +52,8 @@ struct Material
     bool unlit = false; // KHR_materials_unlit: base colour only
 
     double ior = 1.5; // of the dielectric part: glTF's where nothing else is said
+
+    bool operator==(const Material&) const = default;
 };
 
 } // namespace torrance

@@ -79,6 +79,8 @@ struct Light
     double outerConeAngle = kPi / 4.0;       // radians
     dvec3 position = dvec3(0.0);             // world
     dvec3 direction = dvec3(0.0, 0.0, -1.0); // world, unit, the way the light travels
+
+    bool operator==(const Light&) const = default;
 };
 
 struct Camera

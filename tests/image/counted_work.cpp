@@ -185,10 +185,10 @@ TEST(CountedWork, TheDeviceHoldsWhatTheSceneHas)
     Renderer renderer(device(), shaders(), {});
     const DeviceScene onDevice = renderer.upload(scene, plan);
     // Four vertices of position, normal, tangent and uv in floats; six indices.
-    EXPECT_EQ(onDevice.meshes.vertices.size, 4u * (3 + 3 + 4 + 2) * sizeof(float));
-    EXPECT_EQ(onDevice.meshes.indices.size, 6u * sizeof(std::uint32_t));
+    EXPECT_EQ(onDevice.meshes->vertices.size, 4u * (3 + 3 + 4 + 2) * sizeof(float));
+    EXPECT_EQ(onDevice.meshes->indices.size, 6u * sizeof(std::uint32_t));
     ASSERT_EQ(plan.textures.size(), 1u);
-    const gpu::ImageShape& shape = onDevice.textures.image(0).shape;
+    const gpu::ImageShape& shape = onDevice.textures->image(0).shape;
     EXPECT_EQ(shape.width * shape.height, 64u);
     EXPECT_EQ(shape.mips, 4u);
     EXPECT_EQ(shape.format, vk::Format::eR16G16B16A16Sfloat) << "a colour of 8 bits";

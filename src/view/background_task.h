@@ -1,0 +1,84 @@
+// Work on a thread of its own whose result is fetched when it is there: a window does not wait.
+#pragma once
+
+#include <atomic>
+#include <exception>
+#include <future>
+#include <memory>
+#include <optional>
+#include <string>
+
+namespace torrance {
+
+/// Thrown by Progress::enter where the work was cancelled.
+struct Cancelled
+{
+};
+
+/// What the thread says of its work, and hears of it.
+class Progress
+{
+public:
+    /// The work comes to its part of this number, of all. Throws Cancelled.
+    void enter(int part)
+    {
+        if (cancelled)
+            throw Cancelled();
+        current = part;
+    }
+    int part() const { return current; }
+    void cancel() { cancelled = true; }
+    bool isCancelled() const { return cancelled; }
+
+private:
+    std::atomic<int> current = 0;
+    std::atomic<bool> cancelled = false;
+};
+
+/// At most one piece of work at a time; its end is announced by `announce`, from its thread.
+template <typename Result>
+class BackgroundTask
+{
+public:
+    explicit BackgroundTask(void (*announceEnd)()) : announce(announceEnd) {}
+
+    template <typename Work> // Result(Progress&)
+    void start(Work work)
+    {
+        progress = std::make_shared<Progress>();
+        future = std::async(std::launch::async, [work = std::move(work), state = progress, end = announce]() mutable {
+            struct AtEnd
+            {
+                void (*call)();
+                ~AtEnd() { call(); }
+            } const atEnd{end};
+            return work(*state);
+        });
+    }
+
+    bool isRunning() const { return future.valid(); }
+    int part() const { return progress->part(); }
+    void cancel() { progress->cancel(); }
+
+    /// The result, once; nothing while the work goes on, and where it was cancelled. Rethrows what the work threw.
+    std::optional<Result> take()
+    {
+        if (!future.valid() || future.wait_for(std::chrono::seconds(0)) != std::future_status::ready)
+            return std::nullopt;
+        try {
+            Result result = future.get();
+            if (progress->isCancelled())
+                return std::nullopt;
+            return result;
+        } catch (const Cancelled&) {
+            return std::nullopt;
+        }
+    }
+
+private:
+    void (*announce)();
+    std::shared_ptr<Progress> progress;
+    std::future<Result> future;
+};
+
+} // namespace torrance

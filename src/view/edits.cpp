@@ -1,0 +1,66 @@
+#include "view/edits.h"
+
+namespace torrance {
+
+Edits editsOf(const Scene& scene, const EnvironmentChoice& environment)
+{
+    Edits edits = {.materials = scene.materials,
+                   .duplicateOf = {},
+                   .primitiveMaterials = {},
+                   .lights = scene.lights,
+                   .environment = environment};
+    for (const Primitive& primitive : scene.primitives)
+        edits.primitiveMaterials.push_back(primitive.material);
+    return edits;
+}
+
+void applyEdits(const Edits& edits, Scene& scene)
+{
+    scene.materials = edits.materials;
+    scene.lights = edits.lights;
+    for (std::size_t i = 0; i < scene.primitives.size(); ++i)
+        scene.primitives[i].material = edits.primitiveMaterials[i];
+    if (scene.environment) {
+        scene.environment->rotation = edits.environment.rotation * kPi / 180.0;
+        scene.environment->intensity = edits.environment.intensity;
+    }
+}
+
+void EditHistory::commit(Edits edits)
+{
+    previewed.reset();
+    if (edits == present)
+        return;
+    past.push_back(std::move(present));
+    if (past.size() > kMostUndoSteps)
+        past.pop_front();
+    future.clear();
+    present = std::move(edits);
+}
+
+void EditHistory::undo()
+{
+    previewed.reset();
+    if (past.empty())
+        return;
+    future.push_back(std::move(present));
+    present = std::move(past.back());
+    past.pop_back();
+}
+
+void EditHistory::redo()
+{
+    previewed.reset();
+    if (future.empty())
+        return;
+    past.push_back(std::move(present));
+    present = std::move(future.back());
+    future.pop_back();
+}
+
+bool EditHistory::isDirty() const
+{
+    return present.materials != saved.materials || present.primitiveMaterials != saved.primitiveMaterials;
+}
+
+} // namespace torrance

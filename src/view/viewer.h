@@ -1,0 +1,152 @@
+// The window: what it shows, and what it does when something happens.
+#pragma once
+
+#include "gpu/swapchain.h"
+#include "passes/display_pass.h"
+#include "view/file_browser.h"
+#include "view/panel_library.h"
+#include "view/panel_renderer.h"
+#include "view/panels.h"
+#include "view/thumbnails.h"
+#include "view/viewer_host.h"
+#include "view/viewer_state.h"
+#include "view/watched_file.h"
+#include "view/window.h"
+
+#include <memory>
+#include <optional>
+#include <string>
+
+namespace torrance {
+
+class Viewer
+{
+public:
+    /// Opens the window. Errors (noDevice) where there is no display, or no device that can show pictures on it.
+    explicit Viewer(ViewerHost host);
+    ~Viewer();
+
+    /// Until it is closed.
+    void run();
+
+    std::vector<std::string> validationMessages() const { return device.validationMessages(); }
+
+private:
+    struct OpenedScene
+    {
+        std::unique_ptr<SceneOnDevice> scene;
+        EnvironmentChoice environment;
+        bool keepsView = false;
+    };
+    struct OpenedEnvironment
+    {
+        std::string name;
+        std::optional<Environment> environment;
+    };
+    // The part of the window where the picture is, in its pixels.
+    struct Area
+    {
+        ivec2 first = ivec2(0);
+        ivec2 size = ivec2(1);
+    };
+
+    Settings effectiveSettings() const;
+    void openFirst();
+    void waitForEvents();
+    void takeResults();
+    void takeEnvironment();
+    void startReadingEnvironment(const EnvironmentChoice& choice);
+    void takeDropped();
+    void takeWatched();
+    void handle(const OpenScene& request);
+    void handle(const OpenEnvironment& request);
+    void handle(const SavePicture& request);
+    void handle(const SaveScene& request);
+    void handle(const KeepPicture& request);
+    void handle(const OpenPicture& request);
+    void handle(const SaveTurntable& request);
+    void handle(const OpenTexture& request);
+    void handle(const ReloadShaders& request);
+    void handle(const CopyCommand& request);
+    void handle(const Quit& request);
+    void handleRequests();
+    void show(OpenedScene opened);
+    void show(OpenedEnvironment opened);
+
+    void buildPanels();
+    void handleMouse();
+    void handleKeys();
+    void handleCameraKey(const Window::KeyPress& press);
+    void handleControlKey(const Window::KeyPress& press);
+    void frameAll();
+    void frameSelection();
+    void nextFileCamera();
+    OrbitPose& freeCamera();
+    Camera camera() const;
+    void pickAt(const vec2& place, bool looksAtIt);
+    void rotateEnvironment(double degrees);
+
+    void drawScene();
+    Picture renderForFile(const Camera& camera);
+    void stepTurntable();
+    void replanOrGoBack();
+    void surveyErrors();
+    void showErrors();
+    void drawMarks();
+    void probeAt(const vec2& place);
+    void showPicture();
+    void report();
+
+    template <typename Work>
+    void attempt(Work work); // an Error becomes state.error
+
+    ViewerHost host;
+    Window window;
+    PanelLibrary panelLibrary;
+    gpu::Device device;
+    gpu::ShaderLibrary shaders;
+    Renderer renderer;
+    ViewerState state; // with a scene on the device
+    gpu::Swapchain swapchain;
+    DisplayPass display;
+    PanelRenderer panelRenderer;
+    Thumbnails thumbnails;
+    FileBrowser browser;
+    Places places;
+    gpu::DeviceImage windowPicture;
+    Area area;
+    Settings plannedSettings; // the last that could be planned
+    Camera shownCamera;       // of the picture that is shown
+    bool hasFrame = false;    // the renderer holds a picture of the scene
+    // What the picture is compared with.
+    struct Compared
+    {
+        gpu::DeviceImage image;
+        DisplaySettings curves; // its own: a file of codes has none
+        bool ownCurves = false;
+    };
+    Compared compared;
+    // Pictures from all around that are still to be saved.
+    struct Turntable
+    {
+        std::filesystem::path file;
+        OrbitPose pose;
+        int frames = 0;
+        int next = 0;
+    };
+    std::optional<Turntable> turntable;
+    ErrorSurvey survey;
+    gpu::DeviceImage errorImage;           // what of it is shown
+    DisplayPlace shownTerm;                // how the numbers of a term are shown
+    BackgroundTask<OpenedScene> sceneTask; // with a scene on the device, too
+    BackgroundTask<OpenedEnvironment> environmentTask;
+    std::optional<OpenScene> openNext; // after the one that is being opened
+    std::vector<WatchedFile> watched;
+    vec2 pressedAt = vec2(0.0f);
+    bool dragging = false, draggedFar = false; // since a button was pressed in the picture
+    int settling = 0; // pictures of the window still to be made: panels take two to come to rest
+    std::string lastReport;
+    std::size_t picturesShown = 0;
+};
+
+} // namespace torrance

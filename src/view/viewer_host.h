@@ -1,0 +1,49 @@
+// What the window asks of the program around it: the same code that reads and writes for the other commands.
+#pragma once
+
+#include "files/image_write.h"
+#include "files/scene_file.h"
+#include "image/display.h"
+#include "passes/renderer.h"
+#include "plan/settings.h"
+#include "view/edits.h"
+#include "view/saved_scene.h"
+
+#include <filesystem>
+#include <functional>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace torrance {
+
+struct ViewerHost
+{
+    // All may throw Error; the first two are called from other threads.
+    std::function<LoadedScene(const std::string& input)> loadScene; // lit as the command line says, without environment
+    std::function<std::optional<Environment>(const EnvironmentChoice&)> loadEnvironment;
+    std::function<Camera(const Scene&, double aspect)> firstCamera; // of the camera options
+    std::function<void(const std::string& file, Picture, const Settings&, const WriteSettings&)> writePicture;
+
+    /// Writes the file `source` anew with the materials of a scene that was read from it.
+    std::function<void(const std::string& source, const SceneToSave& scene, const std::string& target)> saveScene;
+
+    bool choosesCamera = false;            // by an option, and not to fit the scene
+    int firstFileCamera = -1;              // of the file's cameras: where the window begins
+    std::vector<std::string> inputs;       // what is opened first
+    std::vector<std::string> sceneOptions; // as given, for the command line that draws the same picture
+    std::vector<std::string> environments; // names that loadEnvironment knows beside files
+    Settings settings;
+    WriteSettings write;
+    EnvironmentChoice environment;
+    ivec2 windowSize = {1280, 800};
+    std::string deviceChoice;
+    bool validation = false;
+    bool watch = false;                 // files that change are read again
+    std::filesystem::path cacheFolder;  // empty: none
+    std::filesystem::path configFolder; // of settings that are kept; empty: none are
+    std::filesystem::path shaderFolder;
+    std::string report; // JSON of what the window shows, written when it changes; empty: none
+};
+
+} // namespace torrance

@@ -1,0 +1,236 @@
+// What the mouse and the keys do in the picture.
+#include "view/viewer.h"
+
+#include "scene/camera_view.h"
+
+#include <GLFW/glfw3.h>
+#include <cmath>
+#include <imgui.h>
+
+namespace torrance {
+namespace {
+
+constexpr double kDegreesAcross = 180.0; // that a drag over the whole height turns by
+constexpr double kKeyDegrees = 5.0, kKeyStep = 0.05, kWheelStep = 1.1;
+constexpr float kClickPixels = 4.0f; // a mouse that moved less has not been dragged
+
+double diagonalOf(const Bounds& bounds)
+{
+    const double diagonal = bounds.empty ? 1.0 : glm::length(bounds.max - bounds.min);
+    return diagonal > 0.0 ? diagonal : 1.0;
+}
+
+} // namespace
+
+void Viewer::pickAt(const vec2& place, bool looksAtIt)
+{
+    if (state.probes && !looksAtIt)
+        return probeAt(place);
+    const std::optional<Picked> picked =
+        pick(*state.scene, shownCamera, area.size, place.x - float(area.first.x), place.y - float(area.first.y));
+    if (looksAtIt) {
+        if (picked)
+            lookAt(freeCamera(), picked->position);
+        return;
+    }
+    state.selectedInstance = picked ? picked->instance : -1;
+    if (!picked)
+        return;
+    const Scene& scene = state.scene->scene();
+    if (picked->instance >= 0) {
+        const Instance& instance = scene.instances[static_cast<std::size_t>(picked->instance)];
+        state.selectedMaterial = scene.primitives[static_cast<std::size_t>(instance.primitive)].material;
+    } else
+        state.selectedMaterial = scene.shapes[static_cast<std::size_t>(picked->shape)].material;
+}
+
+void Viewer::rotateEnvironment(double degrees)
+{
+    Edits edits = state.edits();
+    double& rotation = edits.environment.rotation;
+    rotation += degrees;
+    rotation -= 360.0 * std::floor((rotation + 180.0) / 360.0);
+    state.history->preview(std::move(edits));
+    state.changed = true;
+}
+
+void Viewer::handleMouse()
+{
+    const ImGuiIO& io = ImGui::GetIO();
+    if (!state.scene)
+        return;
+    const vec2 scale(io.DisplayFramebufferScale.x, io.DisplayFramebufferScale.y);
+    const vec2 place = vec2(io.MousePos.x, io.MousePos.y) * scale;
+    if (!io.WantCaptureMouse)
+        for (const int button : {0, 1, 2})
+            if (ImGui::IsMouseClicked(button)) {
+                pressedAt = place;
+                dragging = true;
+            }
+    if (dragging) {
+        const vec2 moved = vec2(io.MouseDelta.x, io.MouseDelta.y) * scale / float(area.size.y);
+        const bool farEnough = glm::length(place - pressedAt) > kClickPixels || draggedFar;
+        draggedFar |= farEnough;
+        const bool left = ImGui::IsMouseDown(0), pans = ImGui::IsMouseDown(1) || ImGui::IsMouseDown(2) || io.KeyCtrl;
+        if (farEnough && moved != vec2(0.0f)) {
+            if (left && io.KeyShift)
+                rotateEnvironment(kDegreesAcross * moved.x);
+            else if (pans)
+                pan(freeCamera(), -moved.x, moved.y);
+            else if (left)
+                orbit(freeCamera(), -kDegreesAcross * moved.x, -kDegreesAcross * moved.y);
+        }
+        if (!left && !ImGui::IsMouseDown(1) && !ImGui::IsMouseDown(2)) {
+            if (!draggedFar && ImGui::IsMouseReleased(0))
+                pickAt(place, false);
+            state.history->commit(state.edits()); // of the environment's rotation
+            dragging = draggedFar = false;
+        }
+    }
+    if (io.WantCaptureMouse)
+        return;
+    if (ImGui::IsMouseDoubleClicked(0))
+        pickAt(place, true);
+    if (io.MouseWheel != 0.0f)
+        dolly(freeCamera(), std::pow(kWheelStep, -double(io.MouseWheel)), diagonalOf(state.scene->bounds));
+}
+
+void Viewer::handleCameraKey(const Window::KeyPress& press)
+{
+    const double diagonal = diagonalOf(state.scene->bounds);
+    const auto look = [&](double theta, double phi) {
+        state.view = FittedView{theta, phi};
+        state.moved = true;
+    };
+    const bool opposite = press.control;
+    switch (press.key) {
+    case GLFW_KEY_1:
+    case GLFW_KEY_KP_1:
+        return look(opposite ? -180.0 : 0.0, 90.0);
+    case GLFW_KEY_3:
+    case GLFW_KEY_KP_3:
+        return look(opposite ? -90.0 : 90.0, 90.0);
+    case GLFW_KEY_7:
+    case GLFW_KEY_KP_7:
+        return look(0.0, opposite ? 180.0 : 0.0);
+    default:
+        break;
+    }
+    if (press.control)
+        return;
+    switch (press.key) {
+    case GLFW_KEY_F:
+        return press.shift ? frameSelection() : frameAll();
+    case GLFW_KEY_C:
+        return nextFileCamera();
+    case GLFW_KEY_LEFT:
+        return orbit(freeCamera(), -kKeyDegrees, 0.0);
+    case GLFW_KEY_RIGHT:
+        return orbit(freeCamera(), kKeyDegrees, 0.0);
+    case GLFW_KEY_UP:
+        return orbit(freeCamera(), 0.0, -kKeyDegrees);
+    case GLFW_KEY_DOWN:
+        return orbit(freeCamera(), 0.0, kKeyDegrees);
+    case GLFW_KEY_W:
+        return fly(freeCamera(), kKeyStep, 0.0);
+    case GLFW_KEY_S:
+        return fly(freeCamera(), -kKeyStep, 0.0);
+    case GLFW_KEY_D:
+        return fly(freeCamera(), 0.0, kKeyStep);
+    case GLFW_KEY_A:
+        return fly(freeCamera(), 0.0, -kKeyStep);
+    case GLFW_KEY_EQUAL:
+    case GLFW_KEY_KP_ADD:
+        return dolly(freeCamera(), 1.0 / kWheelStep, diagonal);
+    case GLFW_KEY_MINUS:
+    case GLFW_KEY_KP_SUBTRACT:
+        return dolly(freeCamera(), kWheelStep, diagonal);
+    default:
+        return;
+    }
+}
+
+void Viewer::frameAll()
+{
+    FittedView fitted;
+    if (const auto* pose = std::get_if<OrbitPose>(&state.view))
+        fitted = {pose->theta, pose->phi};
+    state.view = fitted;
+    state.moved = true;
+}
+
+void Viewer::frameSelection()
+{
+    if (state.selectedInstance < 0)
+        return;
+    const Scene& scene = state.scene->scene();
+    const Instance& instance = scene.instances[static_cast<std::size_t>(state.selectedInstance)];
+    const Primitive& primitive = scene.primitives[static_cast<std::size_t>(instance.primitive)];
+    const dvec3 center(instance.worldFromObject * dvec4(0.5 * (primitive.boundsMin + primitive.boundsMax), 1.0));
+    const dvec3 half = 0.5 * dvec3(dmat3(instance.worldFromObject) * (primitive.boundsMax - primitive.boundsMin));
+    OrbitPose& pose = freeCamera();
+    pose.target = center;
+    // The ball around its box touches the upper and the lower edge.
+    const double radius = glm::length(half) / std::sin(0.5 * pose.verticalFov * kPi / 180.0);
+    dolly(pose, radius / pose.radius, diagonalOf(state.scene->bounds));
+}
+
+void Viewer::nextFileCamera()
+{
+    const int count = static_cast<int>(state.scene->scene().cameras.size());
+    if (count == 0) {
+        state.notice = "the file has no cameras";
+        return;
+    }
+    const auto* file = std::get_if<FileView>(&state.view);
+    state.view = FileView{file ? (file->index + 1) % count : 0};
+    state.moved = true;
+}
+
+void Viewer::handleKeys()
+{
+    const std::vector<Window::KeyPress> presses = window.takeKeys();
+    const ImGuiIO& io = ImGui::GetIO();
+    if (io.WantTextInput)
+        return; // they are letters of a name
+    for (const ImWchar character : io.InputQueueCharacters)
+        if (character == '?')
+            state.showHelp = !state.showHelp;
+    for (const Window::KeyPress& press : presses) {
+        if (press.control)
+            handleControlKey(press);
+        else if (press.key == GLFW_KEY_TAB)
+            state.showPanels = !state.showPanels;
+        else if (press.key == GLFW_KEY_ESCAPE)
+            state.error.clear();
+        else if (press.key == GLFW_KEY_R)
+            state.requests.push_back(ReloadShaders{});
+        else if (press.key == GLFW_KEY_F5 && state.scene)
+            state.requests.push_back(OpenScene{state.scene->input, true});
+        if (state.scene)
+            handleCameraKey(press);
+    }
+}
+
+void Viewer::handleControlKey(const Window::KeyPress& press)
+{
+    const PanelContext context = {state, browser, thumbnails, places, ImGui::GetFontSize()};
+    if (press.key == GLFW_KEY_O)
+        askForScene(context);
+    else if (press.key == GLFW_KEY_Q)
+        state.requests.push_back(Quit{});
+    if (!state.scene)
+        return;
+    if (press.key == GLFW_KEY_P)
+        askForPicture(context);
+    else if (press.key == GLFW_KEY_S)
+        askForSave(context);
+    else if (press.key == GLFW_KEY_C)
+        state.requests.push_back(CopyCommand{});
+    else if (press.key == GLFW_KEY_Z) {
+        press.shift ? state.history->redo() : state.history->undo();
+        state.changed = true;
+    }
+}
+
+} // namespace torrance

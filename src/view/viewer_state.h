@@ -1,0 +1,133 @@
+// What the panels read and change. They ask for what takes time, or touches files, by requests.
+#pragma once
+
+#include "view/edits.h"
+#include "view/error_survey.h"
+#include "view/orbit_pose.h"
+#include "view/pixel_probe.h"
+#include "view/scene_on_device.h"
+#include "view/viewer_host.h"
+
+#include <deque>
+#include <filesystem>
+#include <memory>
+#include <optional>
+#include <string>
+#include <variant>
+#include <vector>
+
+namespace torrance {
+
+/// The whole scene in the picture, seen along a direction: what `torrance render` does by itself.
+struct FittedView
+{
+    double theta = 30.0; // degrees, as of OrbitPose
+    double phi = 75.0;
+};
+
+/// One of the file's cameras, as it stands there.
+struct FileView
+{
+    int index = 0;
+};
+
+using ViewPoint = std::variant<FittedView, FileView, OrbitPose>;
+
+struct OpenScene
+{
+    std::string input;
+    bool keepsView = false; // it is the same scene, read again
+};
+struct OpenEnvironment
+{
+    std::string name;
+};
+struct SavePicture
+{
+    std::string file;
+};
+struct SaveScene
+{
+    std::string file;
+};
+/// The picture that is shown now, kept to be compared with those that follow.
+struct KeepPicture
+{
+};
+/// A picture from a file, to be compared with.
+struct OpenPicture
+{
+    std::string file;
+};
+/// A picture from all around, numbered files.
+struct SaveTurntable
+{
+    std::string file; // the first's name; "-000" is put before its ending
+};
+/// Another texture for a material.
+struct OpenTexture
+{
+    std::string file;
+    int material = 0;
+    TextureUse Material::*role = nullptr;
+};
+struct ReloadShaders
+{
+};
+struct CopyCommand
+{
+};
+struct Quit
+{
+};
+using Request = std::variant<OpenScene, OpenEnvironment, SavePicture, SaveScene, KeepPicture, OpenPicture,
+                             SaveTurntable, OpenTexture, ReloadShaders, CopyCommand, Quit>;
+
+/// Panoramas are environments, anything else is a scene.
+inline Request openingOf(const std::filesystem::path& file)
+{
+    const bool panorama = file.extension() == ".hdr" || file.extension() == ".exr";
+    return panorama ? Request(OpenEnvironment{file.string()}) : Request(OpenScene{file.string()});
+}
+
+struct ViewerState
+{
+    std::unique_ptr<SceneOnDevice> scene; // null before the first was opened
+    std::optional<EditHistory> history;   // where there is a scene
+    ViewPoint view = FittedView{};
+    Settings settings;
+    WriteSettings write; // exposure and curves, of the window and of files
+    int fileSamples = 1; // per pixel, of files; the window draws one
+    int selectedInstance = -1;
+    int selectedMaterial = -1;
+
+    bool changed = false; // scene or settings: to be planned and drawn anew
+    bool moved = false;   // the camera or what is shown of the picture: to be drawn anew
+    std::string error;    // in the words of the command line; shown until it is closed
+    std::string notice;   // what was done last
+    std::deque<Request> requests;
+    std::string opening; // the input that is being read; empty: none
+    int openingPart = 0; // OpeningPart
+    bool cancelOpening = false;
+    std::string environmentName;           // of the light that the scene has
+    std::vector<std::string> environments; // names and files that can be chosen
+    std::vector<std::string> recent;       // files, newest first
+    std::string deviceName;
+    double frameMs = 0.0;        // of the last picture of the scene that was drawn
+    std::size_t scenesDrawn = 0; // such pictures
+    bool showPanels = true, showHelp = false, showPlan = false;
+    std::string compared; // what the picture is compared with; empty: nothing
+    float split = 0.5f;   // part of the picture that the other one has, from the left
+    int turntableFrames = 36;
+    std::vector<std::filesystem::path> pictures; // files of the images that were added to the scene
+    bool showsErrors = false;                    // in place of the picture
+    ErrorSurvey::State errors;                   // where they are shown
+    bool probes = false;                         // a click looks into a pixel, and selects nothing
+    std::optional<PixelProbe> probe;             // the last; gone when the picture changes
+    bool asksToClose = false;                    // there are changes that were not saved
+    bool closes = false;
+
+    const Edits& edits() const { return history->shown(); }
+};
+
+} // namespace torrance

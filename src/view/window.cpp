@@ -1,0 +1,134 @@
+#include "view/window.h"
+
+#include "core/error.h"
+
+#define GLFW_INCLUDE_VULKAN
+#include <GLFW/glfw3.h>
+#include <utility>
+
+namespace torrance {
+namespace {
+
+std::string lastProblem()
+{
+    const char* text = nullptr;
+    glfwGetError(&text);
+    return text ? oneLine(text) : "no reason was given";
+}
+
+Error noWindow(const std::string& problem)
+{
+    return {ExitCode::noDevice, "no window can be opened: " + problem + "; 'torrance render' draws without a display"};
+}
+
+} // namespace
+
+Window::Window(const std::string& title, const ivec2& size)
+{
+    if (!glfwInit())
+        throw noWindow(lastProblem());
+    glfwWindowHint(GLFW_CLIENT_API, GLFW_NO_API);
+    glfwWindowHint(GLFW_SCALE_TO_MONITOR, GLFW_TRUE);
+    handle = glfwVulkanSupported() ? glfwCreateWindow(size.x, size.y, title.c_str(), nullptr, nullptr) : nullptr;
+    if (!handle) {
+        const std::string problem = glfwVulkanSupported() ? lastProblem() : "there is no Vulkan loader";
+        glfwTerminate();
+        throw noWindow(problem);
+    }
+    glfwSetWindowUserPointer(handle, this);
+    glfwSetKeyCallback(handle, [](GLFWwindow* window, int key, int, int action, int modifiers) {
+        if (action != GLFW_RELEASE)
+            static_cast<Window*>(glfwGetWindowUserPointer(window))
+                ->keys.push_back({key, (modifiers & GLFW_MOD_SHIFT) != 0, (modifiers & GLFW_MOD_CONTROL) != 0});
+    });
+    glfwSetDropCallback(handle, [](GLFWwindow* window, int count, const char** paths) {
+        auto& self = *static_cast<Window*>(glfwGetWindowUserPointer(window));
+        self.dropped.insert(self.dropped.end(), paths, paths + count);
+    });
+}
+
+Window::~Window()
+{
+    glfwDestroyWindow(handle);
+    glfwTerminate();
+}
+
+std::vector<std::string> Window::extensions() const
+{
+    std::uint32_t count = 0;
+    const char** names = glfwGetRequiredInstanceExtensions(&count);
+    if (!names)
+        throw noWindow("the Vulkan loader knows no pictures in windows");
+    return {names, names + count};
+}
+
+vk::raii::SurfaceKHR Window::makeSurface(const gpu::Device& device) const
+{
+    VkSurfaceKHR surface = VK_NULL_HANDLE;
+    if (glfwCreateWindowSurface(*device.instance, handle, nullptr, &surface) != VK_SUCCESS)
+        throw noWindow(lastProblem());
+    return {device.instance, surface};
+}
+
+ivec2 Window::pixels() const
+{
+    ivec2 size;
+    glfwGetFramebufferSize(handle, &size.x, &size.y);
+    return size;
+}
+
+float Window::scale() const
+{
+    float x = 1.0f, y = 1.0f;
+    glfwGetWindowContentScale(handle, &x, &y);
+    return x;
+}
+
+bool Window::isMinimised() const
+{
+    return glfwGetWindowAttrib(handle, GLFW_ICONIFIED) != 0;
+}
+
+void Window::handleEvents(bool wait)
+{
+    wait ? glfwWaitEvents() : glfwPollEvents();
+}
+
+void Window::handleEvents(double seconds)
+{
+    glfwWaitEventsTimeout(seconds);
+}
+
+void Window::wake()
+{
+    glfwPostEmptyEvent();
+}
+
+void Window::setTitle(const std::string& title)
+{
+    glfwSetWindowTitle(handle, title.c_str());
+}
+
+void Window::setPixels(const ivec2& size)
+{
+    glfwSetWindowSize(handle, size.x, size.y);
+}
+
+std::vector<Window::KeyPress> Window::takeKeys()
+{
+    return std::exchange(keys, {});
+}
+
+std::vector<std::filesystem::path> Window::takeDropped()
+{
+    return std::exchange(dropped, {});
+}
+
+bool Window::takeCloseRequest()
+{
+    const bool asked = glfwWindowShouldClose(handle);
+    glfwSetWindowShouldClose(handle, GLFW_FALSE);
+    return asked;
+}
+
+} // namespace torrance

@@ -1,0 +1,63 @@
+// A window of the desktop: GLFW ends here.
+#pragma once
+
+#include "gpu/device.h"
+#include "math/vector.h"
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+struct GLFWwindow;
+
+namespace torrance {
+
+class Window
+{
+public:
+    /// Error (noDevice) where there is no display: it names what draws without one.
+    Window(const std::string& title, const ivec2& size);
+    ~Window();
+    Window(const Window&) = delete;
+    Window& operator=(const Window&) = delete;
+
+    /// Instance extensions that a device needs to show pictures here.
+    std::vector<std::string> extensions() const;
+    vk::raii::SurfaceKHR makeSurface(const gpu::Device& device) const;
+
+    ivec2 pixels() const;  // of its inside; 0 while it is minimised
+    float scale() const;   // of text: 1 at 96 dots an inch
+    bool isMinimised() const;
+
+    /// Handles what has happened; with `wait`, not before something has, or wake() was called.
+    void handleEvents(bool wait);
+    /// The same, for at most so many seconds.
+    void handleEvents(double seconds);
+    /// Ends a wait of another thread.
+    static void wake();
+
+    void setTitle(const std::string& title);
+    void setPixels(const ivec2& size);
+
+    /// Keys that were pressed, or repeated while held, since the last call: in a picture that takes long, a press and its
+    /// end can both lie, so that what is down at its beginning says too little.
+    struct KeyPress
+    {
+        int key = 0; // GLFW_KEY_...
+        bool shift = false, control = false;
+    };
+    std::vector<KeyPress> takeKeys();
+
+    /// Files that were dropped on the window since the last call.
+    std::vector<std::filesystem::path> takeDropped();
+    /// Whether it was asked to close since the last call.
+    bool takeCloseRequest();
+
+    GLFWwindow* handle = nullptr; // for Dear ImGui's half of GLFW
+
+private:
+    std::vector<KeyPress> keys;
+    std::vector<std::filesystem::path> dropped;
+};
+
+} // namespace torrance

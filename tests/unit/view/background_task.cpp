@@ -1,0 +1,86 @@
+#include "view/background_task.h"
+
+#include <gtest/gtest.h>
+#include <stdexcept>
+#include <thread>
+
+namespace torrance {
+namespace {
+
+std::atomic<int> announcements = 0;
+void announce()
+{
+    ++announcements;
+}
+
+template <typename T>
+std::optional<T> wait(BackgroundTask<T>& task)
+{
+    for (;;) {
+        if (std::optional<T> result = task.take())
+            return result;
+        if (!task.isRunning())
+            return std::nullopt;
+        std::this_thread::yield();
+    }
+}
+
+TEST(BackgroundTask, HandsItsResultOverOnceAndAnnouncesIt)
+{
+    announcements = 0;
+    BackgroundTask<int> task(announce);
+    EXPECT_FALSE(task.isRunning());
+    task.start([](Progress& progress) {
+        progress.enter(3);
+        return 42;
+    });
+    EXPECT_EQ(wait(task), 42);
+    EXPECT_EQ(announcements, 1);
+    EXPECT_FALSE(task.isRunning());
+    EXPECT_EQ(task.take(), std::nullopt);
+}
+
+TEST(BackgroundTask, StopsAtTheNextPartWhereItIsCancelled)
+{
+    BackgroundTask<int> task(announce);
+    std::atomic<bool> passed = false, begun = false, go = false;
+    task.start([&](Progress& progress) {
+        begun = true;
+        while (!go)
+            std::this_thread::yield();
+        progress.enter(1);
+        passed = true;
+        return 1;
+    });
+    while (!begun)
+        std::this_thread::yield();
+    task.cancel();
+    go = true;
+    EXPECT_EQ(wait(task), std::nullopt);
+    EXPECT_FALSE(passed);
+}
+
+TEST(BackgroundTask, AResultThatCameTooLateIsDropped)
+{
+    BackgroundTask<int> task(announce);
+    std::atomic<bool> go = false;
+    task.start([&](Progress&) {
+        while (!go)
+            std::this_thread::yield();
+        return 1;
+    });
+    task.cancel();
+    go = true;
+    EXPECT_EQ(wait(task), std::nullopt);
+}
+
+TEST(BackgroundTask, RethrowsWhatWentWrong)
+{
+    BackgroundTask<int> task(announce);
+    task.start([](Progress&) -> int { throw std::runtime_error("broken"); });
+    EXPECT_THROW(wait(task), std::runtime_error);
+    EXPECT_FALSE(task.isRunning());
+}
+
+} // namespace
+} // namespace torrance

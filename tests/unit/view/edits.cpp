@@ -1,0 +1,136 @@
+#include "view/edits.h"
+
+#include <gtest/gtest.h>
+
+namespace torrance {
+namespace {
+
+Scene twoMaterials()
+{
+    Scene scene;
+    scene.materials.resize(2);
+    scene.primitives.resize(3);
+    scene.primitives[2].material = 1;
+    scene.lights.resize(1);
+    return scene;
+}
+
+EditHistory historyOf(const Scene& scene)
+{
+    return EditHistory(editsOf(scene, {}));
+}
+
+Edits rougher(const EditHistory& history, double roughness)
+{
+    Edits edits = history.now();
+    edits.materials[0].roughnessFactor = roughness;
+    return edits;
+}
+
+TEST(Edits, ReachTheSceneAndComeBack)
+{
+    Scene scene = twoMaterials();
+    scene.environment.emplace();
+    Edits edits = editsOf(scene, {.name = "sky"});
+    EXPECT_EQ(edits.primitiveMaterials, (std::vector<int>{-1, -1, 1}));
+    edits.materials[1].metallicFactor = 0.25;
+    edits.primitiveMaterials[0] = 1;
+    edits.lights.clear();
+    edits.environment.rotation = 90.0;
+    edits.environment.intensity = 2.0;
+    applyEdits(edits, scene);
+    EXPECT_EQ(scene.materials[1].metallicFactor, 0.25);
+    EXPECT_EQ(scene.primitives[0].material, 1);
+    EXPECT_TRUE(scene.lights.empty());
+    EXPECT_DOUBLE_EQ(scene.environment->rotation, kPi / 2.0);
+    EXPECT_EQ(scene.environment->intensity, 2.0);
+    EXPECT_EQ(editsOf(scene, edits.environment), edits);
+}
+
+TEST(EditHistory, GoesBackAndForth)
+{
+    EditHistory history = historyOf(twoMaterials());
+    EXPECT_FALSE(history.canUndo());
+    history.commit(rougher(history, 0.5));
+    history.commit(rougher(history, 0.25));
+    history.undo();
+    EXPECT_EQ(history.now().materials[0].roughnessFactor, 0.5);
+    history.undo();
+    EXPECT_EQ(history.now().materials[0].roughnessFactor, 1.0);
+    EXPECT_FALSE(history.canUndo());
+    history.undo(); // nothing
+    history.redo();
+    history.redo();
+    EXPECT_EQ(history.now().materials[0].roughnessFactor, 0.25);
+    EXPECT_FALSE(history.canRedo());
+}
+
+TEST(EditHistory, ForgetsWhatWasGoneBackFromWhereSomethingElseIsDone)
+{
+    EditHistory history = historyOf(twoMaterials());
+    history.commit(rougher(history, 0.5));
+    history.undo();
+    history.commit(rougher(history, 0.75));
+    EXPECT_FALSE(history.canRedo());
+    history.undo();
+    EXPECT_EQ(history.now().materials[0].roughnessFactor, 1.0);
+}
+
+TEST(EditHistory, APreviewIsShownAndIsNoStep)
+{
+    EditHistory history = historyOf(twoMaterials());
+    history.preview(rougher(history, 0.5));
+    EXPECT_EQ(history.shown().materials[0].roughnessFactor, 0.5);
+    EXPECT_EQ(history.now().materials[0].roughnessFactor, 1.0);
+    EXPECT_FALSE(history.canUndo());
+    history.commit(rougher(history, 0.4));
+    EXPECT_EQ(history.shown().materials[0].roughnessFactor, 0.4);
+    history.undo();
+    EXPECT_EQ(history.shown().materials[0].roughnessFactor, 1.0);
+}
+
+TEST(EditHistory, WhatChangesNothingIsNoStep)
+{
+    EditHistory history = historyOf(twoMaterials());
+    history.commit(history.now());
+    EXPECT_FALSE(history.canUndo());
+}
+
+TEST(EditHistory, KnowsWhatWasNotSaved)
+{
+    EditHistory history = historyOf(twoMaterials());
+    Edits edits = history.now();
+    edits.environment.rotation = 10.0;
+    history.commit(edits);
+    EXPECT_FALSE(history.isDirty()); // no file holds the environment
+    history.commit(rougher(history, 0.5));
+    EXPECT_TRUE(history.isDirty());
+    history.markSaved();
+    EXPECT_FALSE(history.isDirty());
+    history.undo();
+    EXPECT_TRUE(history.isDirty());
+    history.redo();
+    EXPECT_FALSE(history.isDirty());
+    edits = history.now();
+    edits.primitiveMaterials[0] = 1;
+    history.commit(edits);
+    EXPECT_TRUE(history.isDirty());
+    EXPECT_FALSE(history.changesLights());
+    edits.lights[0].intensity = 7.0;
+    history.commit(edits);
+    EXPECT_TRUE(history.changesLights());
+}
+
+TEST(EditHistory, IsBounded)
+{
+    EditHistory history = historyOf(twoMaterials());
+    for (std::size_t i = 0; i < kMostUndoSteps + 10; ++i)
+        history.commit(rougher(history, 1.0 / double(i + 2)));
+    std::size_t steps = 0;
+    for (; history.canUndo(); ++steps)
+        history.undo();
+    EXPECT_EQ(steps, kMostUndoSteps);
+}
+
+} // namespace
+} // namespace torrance

@@ -1,0 +1,340 @@
+#!/usr/bin/env python3
+"""The window as a person uses it, on a virtual screen and a software device.
+
+usage: window_test.py TORRANCE CASE    exit code 77: what it takes is not installed; CASE is the name of a test below
+"""
+
+import json
+import os
+import shutil
+import subprocess
+import sys
+import tempfile
+import time
+import unittest
+from pathlib import Path
+
+sys.path.insert(0, str(Path(__file__).parent))
+import desktop  # noqa: E402
+import pictures  # noqa: E402
+
+PROGRAM = ""
+PICTURES = ""  # where screenshots are kept; empty: nowhere
+
+
+class WindowTest(unittest.TestCase):
+    def setUp(self):
+        self.kept = tempfile.TemporaryDirectory(prefix="torrance-view-test-")
+        self.folder = Path(self.kept.name)
+        self.screen = desktop.Screen()
+        self.window = None
+
+    def tearDown(self):
+        if self.window:
+            self.window.kill()
+        self.screen.close()
+        self.kept.cleanup()
+
+    def open(self, *arguments, scene="demo"):
+        self.window = desktop.Window(PROGRAM, self.screen, [scene, "-r", "1000x700", *arguments], self.folder)
+        return self.window.wait_open(scene)
+
+    def keep(self, name):
+        """A screenshot, where one was asked for."""
+        if PICTURES:
+            self.window.rest()
+            self.screen.picture().write(Path(PICTURES) / (name + ".png"))
+
+    def leave(self):
+        self.assertEqual(self.window.quit(), 0, self.window.said())
+
+    def rendered(self, report, *more):
+        """What `torrance render` draws from the command that the window gives."""
+        file = self.folder / "rendered.png"
+        subprocess.run([PROGRAM, "render", *report["command"], *more, "-o", file, "--quiet"], check=True)
+        return file
+
+    def expect_as_rendered(self, name):
+        shown = self.window.shown()
+        file = pictures.read_png(self.rendered(self.window.report()))
+        worst, differing = shown.worst_difference(file)
+        if worst > 1:
+            shown.write(f"/tmp/torrance-{name}-shown.png")
+        self.assertLessEqual(worst, 1, f"{name}: {differing} codes differ from those of a file")
+
+    # What the window shows.
+
+    def test_open(self):
+        self.open()
+        self.keep("open")
+        self.expect_as_rendered("open")
+        self.leave()
+
+    def test_orbit(self):
+        before = self.open()["command"]
+        window = self.window
+        window.drag(window.picture_place(0.5, 0.5), window.picture_place(0.7, 0.4))
+        turned = window.wait_for(lambda r: r["command"] != before, "the camera to turn")["command"]
+        window.drag(window.picture_place(0.5, 0.5), window.picture_place(0.6, 0.6), button=3)
+        moved = window.wait_for(lambda r: r["command"] != turned, "the camera to move across")["command"]
+        window.move(*window.picture_place())
+        window.run_tool("click", 4)
+        window.wait_for(lambda r: r["command"] != moved, "the camera to come nearer")
+        self.expect_as_rendered("orbit")
+        window.key("7")
+        window.wait_for(lambda r: "--orbit=0,0" in r["command"], "the view from above")
+        self.expect_as_rendered("top")
+        self.keep("orbit")
+        self.leave()
+
+    # What is changed in it.
+
+    def drag_slider(self, name, share=0.25):
+        window = self.window
+        left, top, right, bottom = window.wait_for(lambda r: name in r["places"], name)["places"][name]
+        window.drag(((left + right) / 2, (top + bottom) / 2), (left + share * (right - left) * 0.5, (top + bottom) / 2))
+
+    def test_edit(self):
+        self.open()
+        window = self.window
+        window.click(window.picture_place(0.5, 0.55))
+        report = window.wait_for(lambda r: r["selected_material"] >= 0, "an object to be selected")
+        self.assertGreaterEqual(report["selected_object"], 0)
+        chosen = report["selected_material"]
+        before = report["materials"][chosen]["roughnessFactor"]
+        self.keep("pick")
+        self.drag_slider("material.roughness")
+        report = window.wait_for(lambda r: r["can_undo"], "a step that can be undone")
+        after = report["materials"][chosen]["roughnessFactor"]
+        self.assertNotEqual(after, before)
+        self.assertTrue(report["unsaved"])
+        others = [m["roughnessFactor"] for i, m in enumerate(report["materials"]) if i != chosen]
+        self.keep("edit")
+        changed = window.shown()
+        window.key("ctrl+z")
+        report = window.wait_for(lambda r: not r["can_undo"], "the step to be undone")
+        self.assertEqual(report["materials"][chosen]["roughnessFactor"], before)
+        self.assertEqual(others, [m["roughnessFactor"] for i, m in enumerate(report["materials"]) if i != chosen])
+        self.assertFalse(report["unsaved"])
+        self.assertGreater(window.shown().worst_difference(changed)[0], 3)
+        window.key("ctrl+shift+z")
+        report = window.wait_for(lambda r: not r["can_redo"], "the step to be done again")
+        self.assertEqual(report["materials"][chosen]["roughnessFactor"], after)
+        self.assertEqual(window.shown().worst_difference(changed)[0], 0)
+        window.key("ctrl+z")
+        window.wait_for(lambda r: not r["unsaved"], "nothing to be unsaved")
+        self.leave()
+
+    def test_close_with_unsaved_changes(self):
+        self.open()
+        window = self.window
+        window.click(window.picture_place(0.5, 0.55))
+        self.drag_slider("material.roughness")
+        window.wait_for(lambda r: r.get("unsaved"), "unsaved changes")
+        window.key("ctrl+q")
+        window.wait_for(lambda r: r["asks_to_close"], "the question")
+        self.keep("close")
+        window.click("close.stay")
+        window.wait_for(lambda r: not r["asks_to_close"], "the question to go")
+        window.key("ctrl+q")
+        window.click("close.discard")
+        self.assertEqual(window.process.wait(desktop.PATIENCE), 0, window.said())
+
+    def test_environment(self):
+        self.open()
+        window = self.window
+        window.click("section.Material")  # makes room
+        window.click("section.Light")
+        window.click("light.environment")
+        self.keep("light")
+        window.click("entry.furnace")
+        report = window.wait_for(lambda r: r["environment"] == "furnace", "the furnace")
+        self.assertIn("--environment=furnace", report["command"])
+        self.expect_as_rendered("furnace")
+        window.run_tool("keydown", "shift")
+        window.drag(window.picture_place(0.3, 0.3), window.picture_place(0.5, 0.3))
+        window.run_tool("keyup", "shift")
+        turned = window.wait_for(lambda r: r["environment_rotation"] != 0, "the environment to turn")
+        self.assertEqual(turned["command"][1], report["command"][1], "the camera stays")
+        window.key("ctrl+z", "ctrl+z")
+        window.wait_for(lambda r: r["environment"] == "studio", "the studio again")
+        self.expect_as_rendered("studio")
+        self.leave()
+
+    def test_method(self):
+        self.open()
+        window = self.window
+        window.click("section.Scene")
+        window.click("section.Material")
+        window.click("section.Methods")
+        before = window.shown()
+        window.click("method.distribution")
+        window.click("entry.beckmann")
+        report = window.wait_for(lambda r: r["error"], "what cannot be combined")
+        self.assertIn("beckmann", report["error"])
+        window.click("error.close")
+        report = window.wait_for(lambda r: not r["error"], "the error to go")
+        self.assertFalse([a for a in report["command"] if "beckmann" in a], "the methods stay as they were")
+        window.click("method.environment_diffuse")
+        window.click("entry.sh4")
+        window.wait_for(lambda r: "--environment-diffuse=sh4" in r["command"], "another method")
+        self.expect_as_rendered("sh4")
+        self.assertGreater(window.shown().worst_difference(before)[0], 1)
+        self.keep("method")
+        window.click("method.view")
+        window.click("entry.roughness")
+        window.wait_for(lambda r: "--view=roughness" in r["command"], "the roughness")
+        self.expect_as_rendered("term")
+        self.leave()
+
+    def test_probe(self):
+        self.open()
+        window = self.window
+        window.click("section.Scene")
+        window.click("section.Material")
+        window.click("section.Methods")
+        window.click("method.probe")
+        window.click(window.picture_place(0.5, 0.55))
+        probe = window.wait_for(lambda r: "probe" in r, "the pixel's terms")["probe"]
+        self.keep("probe")
+        for term in probe["terms"]:
+            for device, exact in zip(term["device"], term["exact"]):
+                self.assertLessEqual(abs(device - exact), 1e-4 * abs(exact) + 1e-6, term)
+        self.assertEqual({term["slot"] for term in probe["terms"]},
+                         {"distribution", "visibility", "fresnel", "diffuse", "diffuse_weight", "multiple_scattering", "model"})
+        self.assertLess(probe["error"], 0.5)
+        window.click("method.errors")
+        window.wait_for(lambda r: r.get("errors", {}).get("done", 0) > 0.002, "errors to be found")
+        self.keep("errors")
+        self.leave()
+
+    # What happens to it.
+
+    def test_shader_reload(self):
+        data = self.folder / "data"
+        shutil.copytree(Path(PROGRAM).parent.parent / "share" / "torrance", data)
+        os.environ["TORRANCE_DATA"] = str(data)
+        self.addCleanup(os.environ.pop, "TORRANCE_DATA")
+        self.open("--path", "forward")
+        window = self.window
+        good = window.shown()
+        shader = data / "shaders" / "passes" / "surface.frag"
+        text = shader.read_text()
+        shader.write_text(text.replace("void main()", "void main(", 1))
+        window.key("r")
+        report = window.wait_for(lambda r: r["error"], "the compiler's error")
+        self.assertIn("passes/surface.frag", report["error"])
+        self.assertRegex(report["error"], r":\d+:")
+        self.keep("shader")
+        window.click("error.close")
+        window.wait_for(lambda r: not r["error"], "the error to go")
+        self.assertEqual(window.shown().worst_difference(good)[0], 0, "the last good shader stays")
+        at = text.rindex("}")
+        shader.write_text(text[:at] + "    outColor = vec4(1.0, 0.0, 0.0, 1.0);\n}\n")
+        window.key("r")
+        window.wait_for(lambda r: r["notice"] == "shaders read again", "the new shader")
+        red = window.shown()
+        self.assertTrue(red.at(red.width // 2, red.height // 2)[0] > 150)
+        self.assertTrue(red.at(red.width // 2, red.height // 2)[1] < 50)
+        drawn = window.report()["drawn"]
+        shader.write_text(text)
+        window.key("r")
+        window.wait_for(lambda r: r["drawn"] > drawn, "the old shader again")
+        self.assertEqual(window.shown().worst_difference(good)[0], 0)
+        self.leave()
+
+    def test_resize(self):
+        self.open()
+        window = self.window
+        for width, height in ((1, 1), (40, 600), (900, 30), (640, 480), (1000, 700)):
+            window.run_tool("windowsize", window.id, width, height)
+            window.rest()
+        for i in range(30):
+            window.run_tool("windowsize", window.id, 500 + 7 * i, 400 + 5 * i)
+        window.run_tool("windowsize", window.id, 800, 600)
+        window.run_tool("windowmove", window.id, 0, 0)
+        report = window.wait_for(lambda r: r["picture"][1] + r["picture"][3] < 600, "the new size")
+        self.assertLess(report["picture"][2], 800)
+        self.expect_as_rendered("resize")
+        self.leave()
+
+    def test_drop(self):
+        tool = Path(PROGRAM).parent.parent / "tests" / "drop_file"
+        if not tool.exists():
+            self.skipTest("drop_file was not built")
+        self.open()
+        window = self.window
+        bad = self.folder / "no scene.glb"
+        bad.write_bytes(b"glTF but not really")
+
+        def drop(file):
+            subprocess.run([tool, window.id, file], env=window.environment, check=True, timeout=desktop.PATIENCE)
+
+        drop(bad)
+        report = window.wait_for(lambda r: r["error"], "the error")
+        self.assertEqual(report["scene"], "demo", "the old scene stays")
+        said = subprocess.run([PROGRAM, "render", bad, "-o", self.folder / "x.png"], text=True, stderr=subprocess.PIPE).stderr
+        self.assertEqual("torrance: " + report["error"], said.strip(), "in the words of the command line")
+        self.keep("drop")
+        window.click("error.close")
+        self.expect_as_rendered("after the bad file")
+        good = Path(PROGRAM).parent.parent / "share" / "torrance" / "assets" / "demo" / "demo.gltf"
+        drop(good)
+        window.wait_open(good)
+        self.leave()
+
+    def test_no_display(self):
+        result = subprocess.run([PROGRAM, "view", "demo"], env={k: v for k, v in os.environ.items() if k != "DISPLAY"}, text=True,
+                                stderr=subprocess.PIPE)
+        self.assertEqual(result.returncode, 4)
+        self.assertEqual(result.stderr.count("\n"), 1, result.stderr)
+        self.assertIn("torrance render", result.stderr)
+
+    def test_watch(self):
+        file = self.folder / "scene.gltf"
+        source = Path(PROGRAM).parent.parent / "share" / "torrance" / "assets" / "demo"
+        shutil.copytree(source, self.folder, dirs_exist_ok=True)
+        shutil.copy(source / "demo.gltf", file)
+        self.open("--watch", scene=file)
+        window = self.window
+        before = window.shown()
+        scene = json.loads(file.read_text())
+        for material in scene["materials"]:
+            material["pbrMetallicRoughness"] = {"baseColorFactor": [1, 0, 0, 1]}
+        file.write_text(json.dumps(scene))
+        report = window.wait_for(lambda r: all(m["baseColorFactor"] == [1, 0, 0, 1] for m in r["materials"]), "the new file")
+        self.assertIn("--orbit=30,75", report["command"])
+        self.assertGreater(window.shown().worst_difference(before)[0], 20)
+        self.leave()
+
+    def test_rest(self):
+        """Nothing is drawn while nothing happens."""
+        self.open()
+        window = self.window
+        window.rest()
+        clock = os.sysconf("SC_CLK_TCK")
+
+        def cpu():
+            fields = Path(f"/proc/{window.process.pid}/stat").read_text().rsplit(")", 1)[1].split()
+            return (int(fields[11]) + int(fields[12])) / clock
+
+        before = cpu()
+        time.sleep(5)
+        self.assertLessEqual(cpu() - before, 0.05, "seconds of a processor in five seconds of rest")
+        self.leave()
+
+
+def main():
+    global PROGRAM, PICTURES
+    PROGRAM = sys.argv[1]
+    PICTURES = os.environ.get("TORRANCE_SCREENSHOTS", "")
+    lacking = desktop.missing() or ([] if shutil.which(str(Path(PROGRAM).with_name("torrance-view"))) else ["torrance-view"])
+    if lacking:
+        print("skipped: there is no " + ", ".join(lacking))
+        return 77
+    suite = unittest.TestSuite([WindowTest("test_" + case) for case in sys.argv[2:]])
+    return 0 if unittest.TextTestRunner(verbosity=2).run(suite).wasSuccessful() else 1
+
+
+if __name__ == "__main__":
+    sys.exit(main())
