@@ -2,6 +2,7 @@
 
 #include "files/gltf_model.h"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <set>
@@ -10,6 +11,9 @@ namespace torrance {
 namespace {
 
 constexpr double kNoLimit = std::numeric_limits<double>::infinity();
+
+/// Reflectance at normal incidence is 1 to within 4e-6 beyond this, and a shader's floats stay finite.
+constexpr double kMostIor = 1e6;
 
 class MaterialReader
 {
@@ -39,6 +43,7 @@ public:
         material.alphaCutoff = clamped(source.alphaCutoff, kNoLimit, "alphaCutoff");
         material.doubleSided = source.doubleSided;
         material.unlit = source.extensions.contains("KHR_materials_unlit");
+        material.ior = ior();
         readTextures(result);
         return result;
     }
@@ -59,6 +64,19 @@ private:
         if (extension == source.extensions.end() || !extension->second.Has("emissiveStrength"))
             return 1.0;
         return clamped(extension->second.Get("emissiveStrength").GetNumberAsDouble(), kNoLimit, "emissiveStrength");
+    }
+
+    /// KHR_materials_ior: at least 1, or 0 for a dielectric that reflects everything.
+    double ior()
+    {
+        const auto extension = source.extensions.find("KHR_materials_ior");
+        if (extension == source.extensions.end() || !extension->second.Has("ior"))
+            return Material{}.ior;
+        const double value = extension->second.Get("ior").GetNumberAsDouble();
+        if (value == 0.0 || (value >= 1.0 && value <= kMostIor))
+            return value;
+        report.warn(item + "/ior", "is neither 0 nor in 1 to 1000000 and was clamped");
+        return std::clamp(value, 1.0, kMostIor);
     }
 
     AlphaMode alphaMode() const
