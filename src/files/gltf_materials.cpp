@@ -1,9 +1,9 @@
 #include "files/gltf_materials.h"
 
 #include "files/gltf_model.h"
+#include "files/uv_transform.h"
 
 #include <algorithm>
-#include <cmath>
 #include <limits>
 #include <set>
 
@@ -134,13 +134,11 @@ private:
         const tinygltf::Value& transform = extension->second;
         if (transform.Has("texCoord"))
             use.uvSet = transform.Get("texCoord").GetNumberAsInt();
-        const double angle = transform.Has("rotation") ? transform.Get("rotation").GetNumberAsDouble() : 0.0;
-        const dvec2 scale = pair(transform, "scale", dvec2(1.0));
-        // Translation * rotation * scale. A positive angle turns the coordinates counter-clockwise as one sees them,
-        // with v pointing down.
-        use.transform[0] = scale.x * dvec2(std::cos(angle), -std::sin(angle));
-        use.transform[1] = scale.y * dvec2(std::sin(angle), std::cos(angle));
-        use.transform[2] = pair(transform, "offset", dvec2(0.0));
+        UvTransform read;
+        read.offset = pair(transform, "offset", read.offset);
+        read.rotation = transform.Has("rotation") ? transform.Get("rotation").GetNumberAsDouble() : 0.0;
+        read.scale = pair(transform, "scale", read.scale);
+        use.transform = matrixOf(read);
         return use;
     }
 
