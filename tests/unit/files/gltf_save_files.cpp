@@ -1,6 +1,9 @@
 // Where a saved file stands, in which form, what it refers to; and that a save that fails leaves everything as it was.
 #include "gltf_save_cases.h"
 
+#include "files/image_write.h"
+#include "files/texture_file.h"
+
 #include <csignal>
 #include <sys/resource.h>
 
@@ -340,6 +343,66 @@ TEST(GltfSaveFiles, NameNewPicturesInText)
     const auto remarks = saveGltf(path, loaded.scene, edited, folder.path / "b.gltf", options);
     ASSERT_EQ(remarks.size(), 1u);
     EXPECT_TRUE(contains(remarks[0], "far.png")) << remarks[0];
+}
+
+// EXT_texture_webp: without a picture in another format to fall back to, the extension is required.
+TEST(GltfSaveFiles, TakeWebp)
+{
+    const TestFolder folder;
+    const fs::path path = folder.write("model.glb", richModel().glb());
+    const Image white(2, 1, 3, 1.0f);
+    WriteSettings lossless;
+    lossless.quality = 100;
+    const fs::path picture = folder.write("new.webp", encodePicture(ImageFormat::webp, white, {}, lossless));
+    const LoadedScene loaded = loadScene(path);
+    Scene edited = loaded.scene;
+    edited.images.push_back(decodeTexture(readFile(picture, "", ""), "", ""));
+    edited.textures.push_back({1, {}});
+    edited.materials[1].baseColor.texture = 2;
+    GltfSaveOptions options;
+    options.pictures = {picture};
+    const fs::path target = folder.path / "a.glb";
+    saveGltf(path, loaded.scene, edited, target, options);
+    const auto saved = readSaved(target);
+    EXPECT_EQ(saved.json["textures"][2].dump(), R"({"extensions":{"EXT_texture_webp":{"source":1}}})");
+    EXPECT_EQ(saved.json["images"][1]["mimeType"], "image/webp");
+    EXPECT_EQ(saved.json["extensionsRequired"].dump(), R"(["EXT_texture_webp"])");
+    EXPECT_EQ(saved.json["extensionsUsed"].back(), "EXT_texture_webp");
+
+    // A further texture of the picture, which is in the file by now.
+    const LoadedScene again = loadScene(target);
+    edited = again.scene;
+    Sampler edge;
+    edge.wrapT = Wrap::clampToEdge;
+    edited.textures.push_back({again.scene.textures.back().image, edge});
+    edited.materials[1].normal.texture = static_cast<int>(edited.textures.size()) - 1;
+    saveGltf(target, again.scene, edited, target);
+    EXPECT_EQ(readSaved(target).json["textures"][3].dump(),
+              R"({"sampler":1,"extensions":{"EXT_texture_webp":{"source":1}}})");
+}
+
+// Nothing is decoded: what other programs compressed lies where it lay, and its views keep their numbers.
+TEST(GltfSaveFiles, PassCompressedGeometryThrough)
+{
+    const TestFolder folder;
+    GltfBuilder builder = richModel();
+    const int compressed = builder.addView(std::vector<std::uint8_t>{1, 2, 3, 4, 5});
+    builder.json["buffers"][0]["byteLength"] = builder.binary.size();
+    builder.json["meshes"][0]["primitives"][0]["extensions"]["KHR_draco_mesh_compression"] = {
+        {"bufferView", compressed}, {"attributes", {{"POSITION", 0}}}};
+    builder.view(0)["extensions"]["EXT_meshopt_compression"] = {
+        {"buffer", 0}, {"byteOffset", 0}, {"byteLength", 5}, {"byteStride", 12}, {"mode", "ATTRIBUTES"}, {"count", 3}};
+    const fs::path path = folder.write("model.glb", builder.glb());
+    const LoadedScene loaded = loadScene(path);
+    GltfSaveOptions options;
+    options.pictures = {folder.write("new.png", test::pngOf(7))};
+    saveGltf(path, loaded.scene, withPicture(loaded.scene, 7), folder.path / "a.glb", options);
+    const auto before = readSaved(path);
+    const auto after = readSaved(folder.path / "a.glb");
+    EXPECT_EQ(after.json["meshes"], before.json["meshes"]);
+    EXPECT_TRUE(liesIn(changedPlaces(before.json, after.json),
+                       {"/materials/2", "/textures/-", "/images/-", "/bufferViews/-", "/buffers/0/byteLength"}));
+    EXPECT_TRUE(std::equal(before.binary.begin(), before.binary.end(), after.binary.begin()));
 }
 
 TEST(GltfSaveFiles, PutPicturesIntoUrisWhereAGlbHasNoChunk)
