@@ -44,9 +44,43 @@ struct Saved
 TEST(GltfSave, OfNothingIsTheSameDocument)
 {
     const Saved saved([](Scene&) {});
-    EXPECT_EQ(saved.source.json, saved.target.json) << "members and their order";
+    EXPECT_EQ(saved.source.json, saved.target.json);
     EXPECT_EQ(saved.source.binary, saved.target.binary);
     EXPECT_TRUE(saved.remarks.empty()) << joined(saved.remarks);
+}
+
+/// The same document with the members of every object the other way round.
+nlohmann::ordered_json reversed(const nlohmann::json& json)
+{
+    if (!json.is_structured())
+        return json;
+    nlohmann::ordered_json copy = json.is_array() ? nlohmann::ordered_json::array() : nlohmann::ordered_json::object();
+    if (json.is_array())
+        for (const nlohmann::json& element : json)
+            copy.push_back(reversed(element));
+    else
+        for (auto member = json.end(); member != json.begin();) {
+            --member;
+            copy[member.key()] = reversed(*member);
+        }
+    return copy;
+}
+
+TEST(GltfSave, KeepsTheOrderOfMembers)
+{
+    const TestFolder folder;
+    const GltfBuilder builder = richModel();
+    const auto path = folder.write("model.glb", GltfBuilder::glbOf(reversed(builder.json).dump(), builder.binary));
+    const LoadedScene loaded = loadScene(path);
+    const std::vector<std::byte> before = readSaved(path).bytes;
+    saveGltf(path, loaded.scene, loaded.scene, path);
+    EXPECT_EQ(readSaved(path).bytes, before) << "written by the same library, to the byte";
+    Scene edited = loaded.scene;
+    edited.materials[0].roughnessFactor = 0.125;
+    saveGltf(path, loaded.scene, edited, path);
+    nlohmann::json changed = builder.json;
+    changed["materials"][1]["pbrMetallicRoughness"]["roughnessFactor"] = 0.125;
+    EXPECT_EQ(readSaved(path).json.dump(), reversed(changed).dump());
 }
 
 struct Row
