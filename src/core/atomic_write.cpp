@@ -127,6 +127,18 @@ void writeFile(const fs::path& path, std::span<const std::span<const std::byte>>
     temporary.renameTo(path);
 }
 
+void writeFile(const fs::path& path, std::span<const std::byte> bytes,
+               const std::function<void(const fs::path&)>& check)
+{
+    checkTarget(path);
+    if (isDevice(path))
+        throw writeError(path.string(), "is a device or a pipe", "name a file");
+    TemporaryFile temporary(path);
+    writeAndClose(temporary.descriptor, path, std::span(&bytes, 1));
+    check(temporary.name);
+    temporary.renameTo(path);
+}
+
 void writeFile(const fs::path& path, std::string_view text)
 {
     writeFile(path, std::as_bytes(std::span(text)));

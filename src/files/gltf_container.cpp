@@ -67,11 +67,14 @@ GltfContainer splitBinary(std::span<const std::byte> bytes, const std::string& f
     const Chunk text = takeChunk(rest, file, 0);
     if (text.type != kJsonChunk)
         throw inputError(file, "GLB chunk 0", "is not of type JSON", kExportAgain);
-    GltfContainer container{asText(text.content), std::nullopt, true};
+    GltfContainer container{.json = asText(text.content), .isBinary = true};
+    container.furtherChunks = rest;
     // Only the chunk that follows the JSON is its binary buffer; chunks of other types belong to extensions.
     for (int number = 1; !rest.empty(); ++number)
-        if (const Chunk chunk = takeChunk(rest, file, number); number == 1 && chunk.type == kBinaryChunk)
+        if (const Chunk chunk = takeChunk(rest, file, number); number == 1 && chunk.type == kBinaryChunk) {
             container.binary = chunk.content;
+            container.furtherChunks = rest;
+        }
     return container;
 }
 
@@ -93,7 +96,7 @@ GltfContainer splitContainer(std::span<const std::byte> bytes, const std::string
         return splitBinary(bytes, file);
     if (!looksLikeJson(asText(bytes)))
         throw inputError(file, "", "is neither a GLB nor glTF JSON", "give a .glb or .gltf file");
-    return {asText(bytes), std::nullopt, false};
+    return {.json = asText(bytes)};
 }
 
 } // namespace torrance

@@ -15,7 +15,8 @@ namespace torrance {
 struct GltfContainer
 {
     std::string_view json;
-    std::optional<std::span<const std::byte>> binary; // the BIN chunk of a GLB
+    std::optional<std::span<const std::byte>> binary = {}; // the BIN chunk of a GLB
+    std::span<const std::byte> furtherChunks = {};         // of a GLB, headers and all: they belong to extensions
     bool isBinary = false;
 };
 

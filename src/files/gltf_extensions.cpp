@@ -7,9 +7,9 @@
 namespace torrance {
 namespace {
 
-constexpr std::array<std::string_view, 7> kSupported = {
-    "EXT_mesh_gpu_instancing", "EXT_texture_webp",      "KHR_lights_punctual",   "KHR_materials_emissive_strength",
-    "KHR_materials_unlit",     "KHR_mesh_quantization", "KHR_texture_transform",
+constexpr std::array<std::string_view, 8> kSupported = {
+    "EXT_mesh_gpu_instancing", "EXT_texture_webp",    "KHR_lights_punctual",   "KHR_materials_emissive_strength",
+    "KHR_materials_ior",       "KHR_materials_unlit", "KHR_mesh_quantization", "KHR_texture_transform",
 };
 
 } // namespace

@@ -1,8 +1,9 @@
 #include "files/gltf_materials.h"
 
 #include "files/gltf_model.h"
+#include "files/uv_transform.h"
 
-#include <cmath>
+#include <algorithm>
 #include <limits>
 #include <set>
 
@@ -10,6 +11,9 @@ namespace torrance {
 namespace {
 
 constexpr double kNoLimit = std::numeric_limits<double>::infinity();
+
+/// Reflectance at normal incidence is 1 to within 4e-6 beyond this, and a shader's floats stay finite.
+constexpr double kMostIor = 1e6;
 
 class MaterialReader
 {
@@ -39,6 +43,7 @@ public:
         material.alphaCutoff = clamped(source.alphaCutoff, kNoLimit, "alphaCutoff");
         material.doubleSided = source.doubleSided;
         material.unlit = source.extensions.contains("KHR_materials_unlit");
+        material.ior = ior();
         readTextures(result);
         return result;
     }
@@ -59,6 +64,19 @@ private:
         if (extension == source.extensions.end() || !extension->second.Has("emissiveStrength"))
             return 1.0;
         return clamped(extension->second.Get("emissiveStrength").GetNumberAsDouble(), kNoLimit, "emissiveStrength");
+    }
+
+    /// KHR_materials_ior: at least 1, or 0 for a dielectric that reflects everything.
+    double ior()
+    {
+        const auto extension = source.extensions.find("KHR_materials_ior");
+        if (extension == source.extensions.end() || !extension->second.Has("ior"))
+            return Material{}.ior;
+        const double value = extension->second.Get("ior").GetNumberAsDouble();
+        if (value == 0.0 || (value >= 1.0 && value <= kMostIor))
+            return value;
+        report.warn(item + "/ior", "is neither 0 nor in 1 to 1000000 and was clamped");
+        return std::clamp(value, 1.0, kMostIor);
     }
 
     AlphaMode alphaMode() const
@@ -116,13 +134,11 @@ private:
         const tinygltf::Value& transform = extension->second;
         if (transform.Has("texCoord"))
             use.uvSet = transform.Get("texCoord").GetNumberAsInt();
-        const double angle = transform.Has("rotation") ? transform.Get("rotation").GetNumberAsDouble() : 0.0;
-        const dvec2 scale = pair(transform, "scale", dvec2(1.0));
-        // Translation * rotation * scale. A positive angle turns the coordinates counter-clockwise as one sees them,
-        // with v pointing down.
-        use.transform[0] = scale.x * dvec2(std::cos(angle), -std::sin(angle));
-        use.transform[1] = scale.y * dvec2(std::sin(angle), std::cos(angle));
-        use.transform[2] = pair(transform, "offset", dvec2(0.0));
+        UvTransform read;
+        read.offset = pair(transform, "offset", read.offset);
+        read.rotation = transform.Has("rotation") ? transform.Get("rotation").GetNumberAsDouble() : 0.0;
+        read.scale = pair(transform, "scale", read.scale);
+        use.transform = matrixOf(read);
         return use;
     }
 

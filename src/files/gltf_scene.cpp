@@ -27,7 +27,7 @@ public:
     {
     }
 
-    Scene build(int number)
+    GltfScene build(int number)
     {
         const std::vector<int> nodes = nodesOfScene(model, rootsOf(number));
         readMaterials(nodes);
@@ -36,7 +36,7 @@ public:
         scene.name = number >= 0 ? model.scenes[static_cast<std::size_t>(number)].name : "";
         if (scene.name.empty())
             scene.name = document.stem;
-        return std::move(scene);
+        return {std::move(scene), std::move(items)};
     }
 
 private:
@@ -71,6 +71,8 @@ private:
         for (const int index : drawn) {
             materialOfFile[index] = static_cast<int>(materials.size());
             materials.push_back(readMaterial(model, static_cast<std::size_t>(index), report));
+            items.materials.push_back(index);
+            items.uvSets.push_back(materials.back().uvSets);
             for (const TextureUse* use : usesOf(materials.back().material))
                 if (use->used())
                     textures.insert(use->texture);
@@ -85,6 +87,8 @@ private:
         }
         scene.textures = std::move(read.textures);
         scene.images = std::move(read.images);
+        items.textures.assign(textures.begin(), textures.end());
+        items.images = std::move(read.fileImages);
     }
 
     static std::array<TextureUse*, 5> usesOf(Material& material)
@@ -160,6 +164,7 @@ private:
             return;
         primitive->material = material;
         list.push_back(static_cast<int>(scene.primitives.size()));
+        items.primitives.push_back({mesh, static_cast<int>(number)});
         scene.primitives.push_back(std::move(*primitive));
     }
 
@@ -169,6 +174,7 @@ private:
     std::vector<dmat4> worlds;
     GltfGeometry geometry;
     Scene scene;
+    FileItems items;
     std::vector<GltfMaterial> materials;
     std::map<int, int> materialOfFile;
     std::map<std::tuple<int, int, std::vector<double>>, std::vector<int>> primitives; // of mesh, skin and weights
@@ -187,7 +193,7 @@ int sceneNumber(const nlohmann::json& document, const std::optional<int>& chosen
     return *chosen;
 }
 
-Scene buildScene(const GltfDocument& document, int number, LoadReport& report)
+GltfScene buildScene(const GltfDocument& document, int number, LoadReport& report)
 {
     return SceneBuilder(document, report).build(number);
 }

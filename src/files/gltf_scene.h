@@ -26,7 +26,13 @@ struct GltfDocument
 /// Errors: usage, where there is no scene `chosen`.
 int sceneNumber(const nlohmann::json& document, const std::optional<int>& chosen, const LoadReport& report);
 
+struct GltfScene
+{
+    Scene scene;
+    FileItems items;
+};
+
 /// Scene `number` of the document; all root nodes where it is -1.
-Scene buildScene(const GltfDocument& document, int number, LoadReport& report);
+GltfScene buildScene(const GltfDocument& document, int number, LoadReport& report);
 
 } // namespace torrance

@@ -133,8 +133,10 @@ constexpr Property kMetallicRoughness[] = {numbersOf("baseColorFactor", 4),
                                            {"roughnessFactor", Kind::number},
                                            objectOf("metallicRoughnessTexture", kTextureInfo)};
 constexpr Property kEmissiveStrength[] = {{"emissiveStrength", Kind::number}};
+constexpr Property kIor[] = {{"ior", Kind::number}};
 constexpr Property kMaterialExtensions[] = {objectOf("KHR_materials_unlit", {}),
-                                            objectOf("KHR_materials_emissive_strength", kEmissiveStrength)};
+                                            objectOf("KHR_materials_emissive_strength", kEmissiveStrength),
+                                            objectOf("KHR_materials_ior", kIor)};
 constexpr Property kMaterial[] = {{"name", Kind::text},
                                   objectOf("pbrMetallicRoughness", kMetallicRoughness),
                                   objectOf("normalTexture", kTextureInfo),

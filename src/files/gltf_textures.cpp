@@ -132,6 +132,7 @@ GltfTextures readTextures(const tinygltf::Model& model, const json& document, co
             static_cast<std::size_t>(imageOf(source, itemName("textures", static_cast<std::size_t>(index)), report));
         if (imageOfFile[image] < 0) {
             imageOfFile[image] = static_cast<int>(encoded.size());
+            result.fileImages.push_back(static_cast<int>(image));
             encoded.push_back(readImage(images[image], image, buffers, origin, report));
             encodedBytes += encoded.back().storage.size();
             if (encodedBytes > kMaxFileBytes)

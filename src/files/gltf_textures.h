@@ -18,6 +18,7 @@ struct GltfTextures
     std::vector<Texture> textures;    // in the order of the file, those asked for
     std::vector<TextureImage> images; // each once
     std::vector<int> textureOfFile;   // the file's number → textures, -1 = not asked for
+    std::vector<int> fileImages;      // images → the file's numbers
 };
 
 /// The textures of the file that `used` names, their images decoded on all cores. Of an image in WebP and one in

@@ -10,7 +10,7 @@
 namespace torrance {
 namespace {
 
-/// URIs are quoted in messages up to this length: a data URI can have megabytes.
+/// URIs are quoted in messages, and searched for a scheme, up to this length: a data URI can have megabytes.
 constexpr std::size_t kQuotedLength = 120;
 
 int hexDigit(char c)
@@ -113,6 +113,11 @@ std::string percentDecoded(std::string_view text)
         i += escape ? 2 : 0;
     }
     return decoded;
+}
+
+bool isRelativeUri(std::string_view uri)
+{
+    return !uri.starts_with('/') && schemeOf(uri.substr(0, kQuotedLength)).empty();
 }
 
 std::optional<std::vector<std::byte>> dataOfUri(std::string_view uri, const std::string& file, const std::string& item)

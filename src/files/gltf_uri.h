@@ -13,6 +13,9 @@ namespace torrance {
 /// %41 → A. An escape that is not one stays as it is.
 std::string percentDecoded(std::string_view text);
 
+/// Whether a URI is relative to its file: no scheme, and no path from the root.
+bool isRelativeUri(std::string_view uri);
+
 /// The bytes of a data URI (base64 or percent-encoded), or nothing where `uri` is none. An Error (input) names `file`
 /// and `item` where its base64 is damaged.
 std::optional<std::vector<std::byte>> dataOfUri(std::string_view uri, const std::string& file, const std::string& item);

@@ -3,35 +3,14 @@
 #include "files/gltf_extensions.h"
 #include "files/gltf_facts.h"
 #include "files/gltf_items.h"
+#include "files/gltf_open.h"
 #include "files/gltf_scene.h"
-#include "files/gltf_schema.h"
-#include "files/gltf_version.h"
-#include "files/json_read.h"
 #include "files/obj_scene.h"
-#include "files/read_file.h"
 
 namespace torrance {
 namespace {
 
-struct OpenedFile
-{
-    std::vector<std::byte> bytes;
-    GltfContainer container;
-    nlohmann::json document;
-};
-
-OpenedFile openFile(const std::filesystem::path& path, const std::string& file)
-{
-    OpenedFile opened;
-    opened.bytes = readFile(path, file, "");
-    opened.container = splitContainer(opened.bytes, file);
-    opened.document = readJson(opened.container.json, file);
-    checkVersion(opened.document, file);
-    checkSchema(opened.document, file);
-    return opened;
-}
-
-LoadedScene build(const OpenedFile& opened, const std::filesystem::path& path, const LoadOptions& options,
+LoadedScene build(const OpenedGltf& opened, const std::filesystem::path& path, const LoadOptions& options,
                   LoadReport& report)
 {
     const nlohmann::json& document = opened.document;
@@ -47,8 +26,10 @@ LoadedScene build(const OpenedFile& opened, const std::filesystem::path& path, c
         report.warn("", "has no scenes: all of its nodes are drawn");
 
     LoadedScene loaded;
-    loaded.scene =
+    GltfScene built =
         buildScene({path.stem().string(), document, buffers, accessors, tree, origin, options.limits}, number, report);
+    loaded.scene = std::move(built.scene);
+    loaded.items = std::move(built.items);
     loaded.facts = factsOfDocument(document, opened.container, opened.bytes.size());
     addSceneFacts(loaded.facts, loaded.scene);
     loaded.facts.scene = number;
@@ -74,7 +55,7 @@ LoadedScene loadScene(const std::filesystem::path& path, const LoadOptions& opti
     report.file = path.string();
     try {
         return finished(isObjFile(path) ? loadObj(path, options, report)
-                                        : build(openFile(path, report.file), path, options, report),
+                                        : build(openGltf(path, report.file), path, options, report),
                         report);
     } catch (const Error&) {
         throw;
@@ -92,7 +73,7 @@ SceneFacts readFacts(const std::filesystem::path& path, const LoadOptions& optio
         return readObjFacts(path, options);
     LoadReport report;
     report.file = path.string();
-    const OpenedFile opened = openFile(path, report.file);
+    const OpenedGltf opened = openGltf(path, report.file);
     SceneFacts facts = factsOfDocument(opened.document, opened.container, opened.bytes.size());
     facts.scene = sceneNumber(opened.document, options.scene, report);
     return facts;

@@ -3,6 +3,7 @@
 
 #include "scene/scene.h"
 
+#include <array>
 #include <cstdint>
 #include <filesystem>
 #include <optional>
@@ -70,9 +71,27 @@ struct SceneFacts
     std::size_t replacedNumbers = 0; // NaN and Inf among the numbers that were read
 };
 
+/// Which item of a glTF document each item of the scene was read from: loading leaves out what is not drawn, and reads
+/// a primitive once for every pose. Empty for other files.
+struct FileItems
+{
+    struct MeshPrimitive
+    {
+        int mesh = 0;
+        int primitive = 0; // of the mesh
+        bool operator==(const MeshPrimitive&) const = default;
+    };
+    std::vector<MeshPrimitive> primitives;  // of Scene::primitives
+    std::vector<int> materials;             // of Scene::materials
+    std::vector<std::array<int, 2>> uvSets; // of Scene::materials: the sets TEXCOORD_n that its uvSet 0 and 1 are
+    std::vector<int> textures;              // of Scene::textures
+    std::vector<int> images;                // of Scene::images
+};
+
 struct LoadedScene
 {
     Scene scene;
+    FileItems items;
     SceneFacts facts;
     std::vector<std::string> warnings; // each a line that names the file
 };

@@ -80,6 +80,21 @@ TextureImage decodeTexture(std::span<const std::byte> bytes, const std::string& 
     throw inputError(file, name, "the image is neither PNG nor JPEG nor WebP", "convert it to PNG");
 }
 
+const char* textureMimeType(std::span<const std::byte> bytes)
+{
+    switch (kindOf(bytes)) {
+    case Kind::png:
+        return "image/png";
+    case Kind::jpeg:
+        return "image/jpeg";
+    case Kind::webp:
+        return "image/webp";
+    case Kind::unknown:
+        break;
+    }
+    return "";
+}
+
 bool isTexture(std::span<const std::byte> bytes)
 {
     return kindOf(bytes) != Kind::unknown;

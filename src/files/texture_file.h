@@ -34,6 +34,9 @@ TextureImage decodeTexture(std::span<const std::byte> bytes, const std::string& 
 /// Whether the bytes start as PNG, JPEG or WebP do.
 bool isTexture(std::span<const std::byte> bytes);
 
+/// "image/png", "image/jpeg" or "image/webp", by the first bytes; "" where they are none of these.
+const char* textureMimeType(std::span<const std::byte> bytes);
+
 /// The size that the header claims, or nothing where there is no readable header.
 std::optional<ImageSize> textureSize(std::span<const std::byte> bytes);
 

@@ -34,6 +34,12 @@ protected:
         return "";
     }
 
+    static std::string contentOf(const fs::path& path)
+    {
+        const std::vector<std::byte> bytes = readFile(path);
+        return {reinterpret_cast<const char*>(bytes.data()), bytes.size()};
+    }
+
     std::size_t fileCount() const
     {
         return static_cast<std::size_t>(std::distance(fs::directory_iterator(folder), {}));
@@ -47,8 +53,7 @@ TEST_F(Files, ComeBackAsTheyWereWritten)
     const fs::path path = folder / "with space.bin";
     writeFile(path, std::string_view("one\0two", 7));
     writeFile(path, std::string_view("second"));
-    const std::vector<std::byte> bytes = readFile(path);
-    EXPECT_EQ(std::string(reinterpret_cast<const char*>(bytes.data()), bytes.size()), "second");
+    EXPECT_EQ(contentOf(path), "second");
     EXPECT_EQ(fileCount(), 1u) << "no temporary file is left";
 }
 
@@ -74,6 +79,24 @@ TEST_F(Files, WritingLeavesNothingWhereItFails)
         }
     }
     EXPECT_EQ(fileCount(), 1u);
+}
+
+TEST_F(Files, WhatACheckRefusesIsNotWritten)
+{
+    const fs::path path = folder / "checked.txt";
+    const auto bytes = std::as_bytes(std::span("new", 3));
+    writeFile(path, std::string_view("old"));
+    const auto refuse = [&](const fs::path& written) {
+        EXPECT_NE(written, path);
+        EXPECT_EQ(fs::file_size(written), 3u) << "whole when it is looked at";
+        throw std::runtime_error("not this one");
+    };
+    EXPECT_THROW(writeFile(path, bytes, refuse), std::runtime_error);
+    EXPECT_EQ(contentOf(path), "old");
+    EXPECT_EQ(fileCount(), 1u);
+    writeFile(path, bytes, [](const fs::path&) {});
+    EXPECT_EQ(contentOf(path), "new");
+    EXPECT_THROW(writeFile("/dev/null", bytes, [](const fs::path&) {}), Error);
 }
 
 TEST_F(Files, DevicesAreWrittenToAndStay)

@@ -123,6 +123,25 @@ TEST(GltfMaterials, ClampFactorsWithAWarning)
     EXPECT_EQ(loaded.warnings.size(), 5u);
 }
 
+TEST(GltfMaterials, ReadTheIndexOfRefraction)
+{
+    GltfBuilder builder = GltfBuilder::triangle();
+    builder.primitive()["material"] = 0;
+    const auto load1 = [&](const nlohmann::json& extension) {
+        builder.json["materials"] = {{{"extensions", {{"KHR_materials_ior", extension}}}}};
+        return load(builder);
+    };
+    EXPECT_EQ(load1(nlohmann::json::object()).scene.materials.at(0).ior, 1.5);
+    EXPECT_EQ(load1({{"ior", 1.31}}).scene.materials.at(0).ior, 1.31);
+    EXPECT_EQ(load1({{"ior", 0}}).scene.materials.at(0).ior, 0.0) << "KHR_materials_ior: F0 is 1";
+    EXPECT_EQ(warningsAbout(load1({{"ior", 0}}), "ior"), 0);
+    for (const auto& [refused, used] : {std::pair(0.5, 1.0), std::pair(-1.0, 1.0), std::pair(1e300, 1e6)}) {
+        const LoadedScene loaded = load1({{"ior", refused}});
+        EXPECT_EQ(loaded.scene.materials.at(0).ior, used);
+        EXPECT_EQ(warningsAbout(loaded, "/materials/0/ior: is neither 0 nor in 1 to 1000000"), 1);
+    }
+}
+
 TEST(GltfMaterials, RefuseWhatTheyCannotMean)
 {
     GltfBuilder builder = textured();
