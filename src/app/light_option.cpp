@@ -144,11 +144,17 @@ void addChosenLights(const LightOptions& options, const brdf::Preset& methods, S
 {
     for (const std::string& text : options.lights)
         scene.lights.push_back(parseLight(text));
-    if (!scene.lights.empty() || methods.light.empty())
-        return;
+    if (const std::optional<Light> lamp = presetLamp(methods); lamp && scene.lights.empty())
+        scene.lights.push_back(*lamp);
+}
+
+std::optional<Light> presetLamp(const brdf::Preset& methods)
+{
+    if (methods.light.empty())
+        return std::nullopt;
     Light light = parseLight(std::string(methods.light));
     light.name += ", which the preset " + std::string(methods.id) + " brings";
-    scene.lights.push_back(light);
+    return light;
 }
 
 } // namespace torrance

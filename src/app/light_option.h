@@ -4,6 +4,7 @@
 #include "brdf/method.h"
 #include "scene/scene.h"
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -28,5 +29,8 @@ Light parseLight(const std::string& text);
 /// Adds the lights that were asked for; where there are none, here and in the scene, the light that a source system's
 /// preset brings.
 void addChosenLights(const LightOptions& options, const brdf::Preset& methods, Scene& scene);
+
+/// The light that a source system's preset brings to scenes that have none.
+std::optional<Light> presetLamp(const brdf::Preset& methods);
 
 } // namespace torrance

@@ -52,23 +52,25 @@ void drawOpening(const PanelContext& context)
     ImGui::End();
 }
 
-void drawCloseQuestion(const PanelContext& context)
+void drawUnsavedQuestion(const PanelContext& context)
 {
     ViewerState& state = context.state;
-    if (!state.asksToClose)
+    if (!state.unsaved)
         return;
     placeInMiddle(context.unit * 30.0f);
     ImGui::Begin("Unsaved changes", nullptr, kDialog);
     ImGui::TextWrapped("Materials were changed, and not saved.");
     ImGui::Spacing();
-    if (ImGui::Button("Throw them away"))
-        state.closes = true;
+    const bool discards = ImGui::Button("Throw them away");
     context.mark("close.discard");
     ImGui::SameLine();
-    if (ImGui::Button("Stay"))
-        state.asksToClose = false;
+    const bool stays = ImGui::Button("Stay");
     context.mark("close.stay");
     ImGui::End();
+    if (discards)
+        state.requests.push_back(*state.unsaved);
+    if (discards || stays)
+        state.unsaved.reset();
 }
 
 void drawHelp(const PanelContext& context)
@@ -132,7 +134,7 @@ void drawDialogs(const PanelContext& context)
     drawPlan(context);
     drawHelp(context);
     drawOpening(context);
-    drawCloseQuestion(context);
+    drawUnsavedQuestion(context);
     drawError(context);
 }
 

@@ -63,8 +63,7 @@ public:
     /// Materials or their places differ from what was loaded or saved last.
     bool isDirty() const;
     void markSaved() { saved = present; }
-    /// Lights differ from those that were loaded.
-    bool changesLights() const { return present.lights != asLoaded.lights; }
+    /// As they were read.
     const Edits& loaded() const { return asLoaded; }
 
 private:

@@ -1,8 +1,10 @@
 #include "view/panel_library.h"
 
+#include <GLFW/glfw3.h>
 #include <backends/imgui_impl_glfw.h>
 #include <cmath>
 #include <imgui.h>
+#include <set>
 
 namespace torrance {
 namespace {
@@ -21,9 +23,17 @@ void setStyle(float scale)
     style.ScaleAllSizes(scale);
 }
 
+// Whether a key does something to a text other than adding its letter: those with control, and all without a letter but
+// the modifiers themselves.
+bool movesCursor(const Window::KeyEvent& event)
+{
+    const bool modifier = event.key >= GLFW_KEY_LEFT_SHIFT && event.key <= GLFW_KEY_RIGHT_SUPER;
+    return !modifier && (event.key >= GLFW_KEY_ESCAPE || (event.modifiers & GLFW_MOD_CONTROL));
+}
+
 } // namespace
 
-PanelLibrary::PanelLibrary(const Window& window)
+PanelLibrary::PanelLibrary(Window& w) : window(w)
 {
     IMGUI_CHECKVERSION();
     ImGui::CreateContext();
@@ -33,7 +43,11 @@ PanelLibrary::PanelLibrary(const Window& window)
     font.SizePixels = std::round(kFontPixels * window.scale());
     io.Fonts->AddFontDefault(&font);
     setStyle(window.scale());
-    ImGui_ImplGlfw_InitForVulkan(window.handle, true);
+    ImGui_ImplGlfw_InitForVulkan(window.handle, false); // the keyboard's events go through a list of ours
+    glfwSetWindowFocusCallback(window.handle, ImGui_ImplGlfw_WindowFocusCallback);
+    glfwSetCursorEnterCallback(window.handle, ImGui_ImplGlfw_CursorEnterCallback);
+    glfwSetMouseButtonCallback(window.handle, ImGui_ImplGlfw_MouseButtonCallback);
+    glfwSetScrollCallback(window.handle, ImGui_ImplGlfw_ScrollCallback);
 }
 
 PanelLibrary::~PanelLibrary()
@@ -42,10 +56,31 @@ PanelLibrary::~PanelLibrary()
     ImGui::DestroyContext();
 }
 
-void PanelLibrary::beginPicture()
+std::vector<KeyPress> PanelLibrary::beginPicture()
 {
+    std::vector<KeyPress> presses;
+    std::set<int> moving; // keys that moved the cursor
+    while (!window.keyEvents.empty()) {
+        const Window::KeyEvent event = window.keyEvents.front();
+        if (event.character ? !moving.empty() : moving.contains(event.key))
+            break;
+        window.keyEvents.pop_front();
+        if (event.character) {
+            ImGui_ImplGlfw_CharCallback(window.handle, event.character);
+            continue;
+        }
+        ImGui_ImplGlfw_KeyCallback(window.handle, event.key, event.scancode, event.action, event.modifiers);
+        if (event.action == GLFW_RELEASE)
+            continue;
+        if (movesCursor(event))
+            moving.insert(event.key);
+        presses.push_back({.key = event.key,
+                           .shift = (event.modifiers & GLFW_MOD_SHIFT) != 0,
+                           .control = (event.modifiers & GLFW_MOD_CONTROL) != 0});
+    }
     ImGui_ImplGlfw_NewFrame();
     ImGui::NewFrame();
+    return presses;
 }
 
 } // namespace torrance

@@ -13,6 +13,17 @@ namespace {
 using brdf::Method;
 using brdf::Slot;
 
+// A preset's own lamp goes with it, where it is the only light.
+void exchangeLamp(const PanelContext& context, const brdf::Preset& from, const brdf::Preset& to)
+{
+    Edits edits = context.state.edits();
+    if (const std::optional<Light> old = context.host.lampOf(from))
+        std::erase(edits.lights, *old);
+    if (const std::optional<Light> lamp = context.host.lampOf(to); lamp && edits.lights.empty())
+        edits.lights.push_back(*lamp);
+    context.state.history->commit(std::move(edits));
+}
+
 void choosePreset(const PanelContext& context)
 {
     ViewerState& state = context.state;
@@ -25,7 +36,9 @@ void choosePreset(const PanelContext& context)
     }
     const auto tip = [](int i) { return std::string(brdf::allPresets()[static_cast<std::size_t>(i)].description); };
     if (choose(context, "preset", names, chosen, tip)) {
-        state.settings.methods = brdf::allPresets()[static_cast<std::size_t>(chosen)];
+        const brdf::Preset& preset = brdf::allPresets()[static_cast<std::size_t>(chosen)];
+        exchangeLamp(context, *brdf::findPreset(state.settings.methods.id), preset);
+        state.settings.methods = preset;
         state.changed = true;
     }
     context.mark("method.preset");

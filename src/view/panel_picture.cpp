@@ -75,6 +75,7 @@ void drawPicturePanel(const PanelContext& context)
     context.mark("picture.samples");
     tipOfItem("Per pixel, of pictures that are saved; the window draws one.");
     ImGui::SliderInt("turntable frames", &state.turntableFrames, 2, 360, "%d", ImGuiSliderFlags_AlwaysClamp);
+    context.mark("picture.frames");
     if (ImGui::Button("Save a turntable"))
         askForTurntable(context);
     context.mark("picture.turntable");

@@ -18,6 +18,7 @@ using Places = std::map<std::string, vec4>; // left, top, right, bottom
 struct PanelContext
 {
     ViewerState& state;
+    const ViewerHost& host;
     FileBrowser& browser;
     Thumbnails& thumbnails;
     Places& places;

@@ -12,8 +12,7 @@ namespace {
 // Between single quotes a shell changes nothing but the quote itself.
 std::string quoted(const std::string& argument)
 {
-    constexpr std::string_view kPlain =
-        "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_@%+=:,./-";
+    constexpr std::string_view kPlain = "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_@%+=:,./-";
     if (!argument.empty() && argument.find_first_not_of(kPlain) == std::string::npos)
         return argument;
     std::string text = "'";
@@ -90,12 +89,21 @@ void addPicture(const ViewerState& state, std::vector<std::string>& arguments)
         arguments.push_back("--transfer=" + std::string(state.write.transfer->id));
 }
 
-std::vector<std::string> lostOf(const ViewerState& state)
+// A preset's own lamp comes with the preset.
+std::vector<Light> withoutLamp(std::vector<Light> lights, const std::optional<Light>& lamp)
+{
+    if (lamp)
+        std::erase(lights, *lamp);
+    return lights;
+}
+
+std::vector<std::string> lostOf(const ViewerState& state, const ViewerHost& host)
 {
     std::vector<std::string> lost;
     if (state.history->isDirty())
         lost.emplace_back("materials");
-    if (state.history->changesLights())
+    if (withoutLamp(state.history->now().lights, host.lampOf(state.settings.methods)) !=
+        withoutLamp(state.history->loaded().lights, host.lampOf(host.settings.methods)))
         lost.emplace_back("lights");
     return lost;
 }
@@ -115,7 +123,7 @@ std::vector<std::string> renderArguments(const ViewerState& state, const ViewerH
 
 RenderCommand renderCommandOf(const ViewerState& state, const ViewerHost& host)
 {
-    RenderCommand command = {.text = "torrance render", .lost = lostOf(state)};
+    RenderCommand command = {.text = "torrance render", .lost = lostOf(state, host)};
     for (const std::string& argument : renderArguments(state, host))
         command.text += " " + quoted(argument);
     command.text += " -o " + quoted(std::filesystem::path(state.scene->input).stem().string() + ".png");

@@ -55,6 +55,8 @@ void Viewer::attempt(Work work)
         if (error.exitCode == ExitCode::deviceFailure)
             throw; // nothing that is shown can be trusted any more
         state.error = error.what();
+    } catch (const std::bad_alloc&) {
+        state.error = "not enough memory; take a smaller scene or a smaller picture";
     }
 }
 
@@ -122,6 +124,8 @@ void Viewer::run()
 void Viewer::waitForEvents()
 {
     const bool works = sceneTask.isRunning() || environmentTask.isRunning();
+    if (!window.keyEvents.empty()) // of which one picture takes a part
+        settling = std::max(settling, kSettlingPictures);
     if (settling > 0 || !state.requests.empty()) {
         --settling;
         window.handleEvents(false);
@@ -204,8 +208,18 @@ Settings Viewer::effectiveSettings() const
     return settings;
 }
 
+bool Viewer::asksFirst(const Request& request)
+{
+    if (!state.history || !state.history->isDirty())
+        return false;
+    state.unsaved = request;
+    return true;
+}
+
 void Viewer::handle(const OpenScene& request)
 {
+    if (!request.discards && asksFirst(OpenScene{request.input, request.keepsView, true}))
+        return;
     if (sceneTask.isRunning()) {
         sceneTask.cancel();
         openNext = request; // when that has ended
@@ -368,11 +382,15 @@ void Viewer::handle(const KeepPicture&)
     gpu::Commands commands(device);
     gpu::copyImage(commands, drawn, compared.image);
     commands.submitAndWait();
+    compared.curves = shownCurves();
+    compared.term = shownTerm;
     state.compared = "the picture that was kept";
 }
 
 void Viewer::handle(const OpenPicture& request)
 {
+    if (!state.scene)
+        return;
     ReadImage read = readImage(request.file);
     const bool codes = read.displayReferred;
     const Image color = colorOf(std::move(read), request.file);
@@ -382,8 +400,7 @@ void Viewer::handle(const OpenPicture& request)
             opaque.texels[4 * i + c] = codes ? srgbDecode(color.texels[3 * i + c]) : color.texels[3 * i + c];
     swapchain.waitUntilIdle();
     compared = {};
-    compared.ownCurves = codes;
-    compared.curves.tone = findToneCurve("none");
+    compared.curves = codes ? DisplaySettings{.tone = findToneCurve("none")} : shownCurves();
     compared.image = makeColorTarget(device, color.width, color.height, "picture to compare with");
     const gpu::Buffer texels = gpu::makeBuffer(device, std::as_bytes(std::span(opaque.texels)),
                                                vk::BufferUsageFlagBits::eTransferSrc, "picture to compare with");
@@ -436,11 +453,9 @@ void Viewer::handle(const CopyCommand&)
         state.notice += "; changed " + lost + " are not in it";
 }
 
-void Viewer::handle(const Quit&)
+void Viewer::handle(const Quit& request)
 {
-    if (state.history && state.history->isDirty())
-        state.asksToClose = true;
-    else
+    if (request.discards || !asksFirst(Quit{true}))
         state.closes = true;
 }
 
@@ -467,9 +482,9 @@ OrbitPose& Viewer::freeCamera()
 
 void Viewer::buildPanels()
 {
-    panelLibrary.beginPicture();
+    const std::vector<KeyPress> presses = panelLibrary.beginPicture();
     places.clear();
-    const PanelContext context = {state, browser, thumbnails, places, ImGui::GetFontSize()};
+    const PanelContext context = {state, host, browser, thumbnails, places, ImGui::GetFontSize()};
     const ImVec2 size = ImGui::GetIO().DisplaySize, scale = ImGui::GetIO().DisplayFramebufferScale;
     attempt([&] {
         const float top = drawMenu(context);
@@ -479,7 +494,7 @@ void Viewer::buildPanels()
         showErrors();
         drawMarks();
         handleMouse();
-        handleKeys();
+        handleKeys(presses);
         const ivec2 first(0, static_cast<int>(top * scale.y));
         const ivec2 beyond(static_cast<int>((size.x - column) * scale.x),
                            static_cast<int>((size.y - bottom) * scale.y));
@@ -586,13 +601,18 @@ void Viewer::drawMarks()
         return ImVec2((float(pixel.x) + float(area.first.x)) / scale.x,
                       (float(pixel.y) + float(area.first.y)) / scale.y);
     };
-    constexpr ImU32 kSelected = IM_COL32(255, 170, 40, 255), kProbed = IM_COL32(80, 230, 255, 255);
+    constexpr ImU32 kSelected = IM_COL32(255, 170, 40, 255), kProbed = IM_COL32(80, 230, 255, 255),
+                    kLine = IM_COL32(255, 255, 255, 255);
     const ImVec2 first = inWindow(dvec2(0.0)), beyond = inWindow(dvec2(area.size));
     list.PushClipRect(first, beyond);
     if (state.selectedInstance >= 0)
         for (const ScreenLine& line :
              selectionBox(state.scene->scene(), state.selectedInstance, shownCamera, area.size))
             list.AddLine(inWindow(line.begin), inWindow(line.end), kSelected, 1.5f);
+    if (!state.compared.empty()) {
+        const double x = std::lround(state.split * float(area.size.x));
+        list.AddLine(inWindow({x, 0.0}), inWindow({x, area.size.y}), kLine);
+    }
     if (state.probe)
         list.AddCircle(inWindow(dvec2(state.probe->pixel) + 0.5), 6.0f, kProbed, 0, 1.5f);
     list.PopClipRect();
@@ -607,12 +627,18 @@ void Viewer::probeAt(const vec2& place)
         state.notice = "no surface is seen there";
 }
 
+// Of the picture that is drawn: a term has none.
+DisplaySettings Viewer::shownCurves() const
+{
+    if (state.scene->plan.settings.view)
+        return {.tone = findToneCurve("none")};
+    return {.exposure = state.write.exposure, .tone = state.write.tone, .transfer = state.write.transfer};
+}
+
 void Viewer::showPicture()
 {
     ImDrawData& panels = *ImGui::GetDrawData();
     const gpu::DeviceImage* const targets[] = {&windowPicture};
-    DisplaySettings curves = {
-        .exposure = state.write.exposure, .tone = state.write.tone, .transfer = state.write.transfer};
     const auto record = [&](gpu::Commands& commands) {
         std::vector<gpu::Buffer> buffers;
         panelRenderer.use(commands, panels);
@@ -627,19 +653,16 @@ void Viewer::showPicture()
             DisplayPlace place = shownTerm;
             place.origin = area.first;
             place.size = glm::min(area.size, ivec2(plan.settings.width, plan.settings.height));
-            if (plan.settings.view)
-                curves = {.tone = findToneCurve("none")};
             if (!state.compared.empty()) {
-                DisplayPlace other = place;
-                other.size.x = place.skip = static_cast<int>(std::lround(state.split * float(place.size.x)));
-                other.size = glm::min(other.size, ivec2(compared.image.shape.width, compared.image.shape.height));
-                if (compared.ownCurves)
-                    other.factor = 1.0, other.offset = 0.0;
+                place.skip = static_cast<int>(std::lround(state.split * float(place.size.x)));
+                DisplayPlace other = compared.term;
+                other.origin = place.origin;
+                const ivec2 its(compared.image.shape.width, compared.image.shape.height);
+                other.size = glm::min(ivec2(place.skip, place.size.y), its);
                 if (other.size.x > 0)
-                    buffers.push_back(
-                        display.draw(commands, compared.image, other, compared.ownCurves ? compared.curves : curves));
+                    buffers.push_back(display.draw(commands, compared.image, other, compared.curves));
             }
-            buffers.push_back(display.draw(commands, renderer.frame(plan), place, curves));
+            buffers.push_back(display.draw(commands, renderer.frame(plan), place, shownCurves()));
         }
         panelRenderer.draw(commands, panels, buffers);
         commands.buffer.endRendering();

@@ -70,14 +70,16 @@ private:
     void handle(const CopyCommand& request);
     void handle(const Quit& request);
     void handleRequests();
+    bool
+    asksFirst(const Request& request); // whether changes would be lost: then that is asked before `request` is done
     void show(OpenedScene opened);
     void show(OpenedEnvironment opened);
 
     void buildPanels();
     void handleMouse();
-    void handleKeys();
-    void handleCameraKey(const Window::KeyPress& press);
-    void handleControlKey(const Window::KeyPress& press);
+    void handleKeys(const std::vector<KeyPress>& presses);
+    void handleCameraKey(const KeyPress& press);
+    void handleControlKey(const KeyPress& press);
     void frameAll();
     void frameSelection();
     void nextFileCamera();
@@ -90,6 +92,7 @@ private:
     Picture renderForFile(const Camera& camera);
     void stepTurntable();
     void replanOrGoBack();
+    DisplaySettings shownCurves() const;
     void surveyErrors();
     void showErrors();
     void drawMarks();
@@ -122,8 +125,8 @@ private:
     struct Compared
     {
         gpu::DeviceImage image;
-        DisplaySettings curves; // its own: a file of codes has none
-        bool ownCurves = false;
+        DisplaySettings curves; // as it was shown when it was kept; a file of codes has none
+        DisplayPlace term;      // likewise
     };
     Compared compared;
     // Pictures from all around that are still to be saved.

@@ -25,6 +25,8 @@ struct ViewerHost
     std::function<Camera(const Scene&, double aspect)> firstCamera; // of the camera options
     std::function<void(const std::string& file, Picture, const Settings&, const WriteSettings&)> writePicture;
 
+    /// The lamp that a preset brings to scenes without a light; nothing for most.
+    std::function<std::optional<Light>(const brdf::Preset&)> lampOf;
     /// Writes the file `source` anew with the materials of a scene that was read from it.
     std::function<void(const std::string& source, const SceneToSave& scene, const std::string& target)> saveScene;
 

@@ -95,7 +95,7 @@ void Viewer::handleMouse()
         dolly(freeCamera(), std::pow(kWheelStep, -double(io.MouseWheel)), diagonalOf(state.scene->bounds));
 }
 
-void Viewer::handleCameraKey(const Window::KeyPress& press)
+void Viewer::handleCameraKey(const KeyPress& press)
 {
     const double diagonal = diagonalOf(state.scene->bounds);
     const auto look = [&](double theta, double phi) {
@@ -187,16 +187,15 @@ void Viewer::nextFileCamera()
     state.moved = true;
 }
 
-void Viewer::handleKeys()
+void Viewer::handleKeys(const std::vector<KeyPress>& presses)
 {
-    const std::vector<Window::KeyPress> presses = window.takeKeys();
     const ImGuiIO& io = ImGui::GetIO();
     if (io.WantTextInput)
         return; // they are letters of a name
     for (const ImWchar character : io.InputQueueCharacters)
         if (character == '?')
             state.showHelp = !state.showHelp;
-    for (const Window::KeyPress& press : presses) {
+    for (const KeyPress& press : presses) {
         if (press.control)
             handleControlKey(press);
         else if (press.key == GLFW_KEY_TAB)
@@ -212,9 +211,9 @@ void Viewer::handleKeys()
     }
 }
 
-void Viewer::handleControlKey(const Window::KeyPress& press)
+void Viewer::handleControlKey(const KeyPress& press)
 {
-    const PanelContext context = {state, browser, thumbnails, places, ImGui::GetFontSize()};
+    const PanelContext context = {state, host, browser, thumbnails, places, ImGui::GetFontSize()};
     if (press.key == GLFW_KEY_O)
         askForScene(context);
     else if (press.key == GLFW_KEY_Q)

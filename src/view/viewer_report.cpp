@@ -80,7 +80,7 @@ std::string viewerReport(const ViewerState& state, const ViewerHost& host, const
 {
     Json::Object report = {{"error", state.error}, {"notice", state.notice}, {"opening", state.opening}};
     report.emplace_back("picture", Json::Array{area.first.x, area.first.y, area.size.x, area.size.y});
-    report.emplace_back("asks_to_close", state.asksToClose);
+    report.emplace_back("asks_of_unsaved", state.unsaved.has_value());
     if (state.scene)
         addScene(state, host, report);
     Json::Object where;

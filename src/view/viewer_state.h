@@ -37,6 +37,7 @@ struct OpenScene
 {
     std::string input;
     bool keepsView = false; // it is the same scene, read again
+    bool discards = false;  // changes that were not saved
 };
 struct OpenEnvironment
 {
@@ -79,6 +80,7 @@ struct CopyCommand
 };
 struct Quit
 {
+    bool discards = false; // changes that were not saved
 };
 using Request = std::variant<OpenScene, OpenEnvironment, SavePicture, SaveScene, KeepPicture, OpenPicture,
                              SaveTurntable, OpenTexture, ReloadShaders, CopyCommand, Quit>;
@@ -124,7 +126,7 @@ struct ViewerState
     ErrorSurvey::State errors;                   // where they are shown
     bool probes = false;                         // a click looks into a pixel, and selects nothing
     std::optional<PixelProbe> probe;             // the last; gone when the picture changes
-    bool asksToClose = false;                    // there are changes that were not saved
+    std::optional<Request> unsaved; // what was asked for while there are changes that were not saved: asked again
     bool closes = false;
 
     const Edits& edits() const { return history->shown(); }

@@ -36,10 +36,12 @@ Window::Window(const std::string& title, const ivec2& size)
         throw noWindow(problem);
     }
     glfwSetWindowUserPointer(handle, this);
-    glfwSetKeyCallback(handle, [](GLFWwindow* window, int key, int, int action, int modifiers) {
-        if (action != GLFW_RELEASE)
-            static_cast<Window*>(glfwGetWindowUserPointer(window))
-                ->keys.push_back({key, (modifiers & GLFW_MOD_SHIFT) != 0, (modifiers & GLFW_MOD_CONTROL) != 0});
+    glfwSetKeyCallback(handle, [](GLFWwindow* window, int key, int scancode, int action, int modifiers) {
+        static_cast<Window*>(glfwGetWindowUserPointer(window))
+            ->keyEvents.push_back({.key = key, .scancode = scancode, .action = action, .modifiers = modifiers});
+    });
+    glfwSetCharCallback(handle, [](GLFWwindow* window, unsigned character) {
+        static_cast<Window*>(glfwGetWindowUserPointer(window))->keyEvents.push_back({.character = character});
     });
     glfwSetDropCallback(handle, [](GLFWwindow* window, int count, const char** paths) {
         auto& self = *static_cast<Window*>(glfwGetWindowUserPointer(window));
@@ -112,11 +114,6 @@ void Window::setTitle(const std::string& title)
 void Window::setPixels(const ivec2& size)
 {
     glfwSetWindowSize(handle, size.x, size.y);
-}
-
-std::vector<Window::KeyPress> Window::takeKeys()
-{
-    return std::exchange(keys, {});
 }
 
 std::vector<std::filesystem::path> Window::takeDropped()

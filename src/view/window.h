@@ -4,6 +4,7 @@
 #include "gpu/device.h"
 #include "math/vector.h"
 
+#include <deque>
 #include <filesystem>
 #include <string>
 #include <vector>
@@ -25,8 +26,8 @@ public:
     std::vector<std::string> extensions() const;
     vk::raii::SurfaceKHR makeSurface(const gpu::Device& device) const;
 
-    ivec2 pixels() const;  // of its inside; 0 while it is minimised
-    float scale() const;   // of text: 1 at 96 dots an inch
+    ivec2 pixels() const; // of its inside; 0 while it is minimised
+    float scale() const;  // of text: 1 at 96 dots an inch
     bool isMinimised() const;
 
     /// Handles what has happened; with `wait`, not before something has, or wake() was called.
@@ -39,14 +40,17 @@ public:
     void setTitle(const std::string& title);
     void setPixels(const ivec2& size);
 
-    /// Keys that were pressed, or repeated while held, since the last call: in a picture that takes long, a press and its
-    /// end can both lie, so that what is down at its beginning says too little.
-    struct KeyPress
+    /// What the keyboard did, in its order. In a picture that takes long a press and its end can both lie, so that what
+    /// is down at its beginning says too little: whoever takes the events decides how many one picture can take.
+    struct KeyEvent
     {
-        int key = 0; // GLFW_KEY_...
-        bool shift = false, control = false;
+        int key = 0; // GLFW_KEY_..., or
+        unsigned character = 0;
+        int scancode = 0;
+        int action = 0;    // GLFW_PRESS, ...
+        int modifiers = 0; // GLFW_MOD_...
     };
-    std::vector<KeyPress> takeKeys();
+    std::deque<KeyEvent> keyEvents;
 
     /// Files that were dropped on the window since the last call.
     std::vector<std::filesystem::path> takeDropped();
@@ -56,7 +60,6 @@ public:
     GLFWwindow* handle = nullptr; // for Dear ImGui's half of GLFW
 
 private:
-    std::vector<KeyPress> keys;
     std::vector<std::filesystem::path> dropped;
 };
 

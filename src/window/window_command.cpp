@@ -74,6 +74,7 @@ ViewerHost makeHost(const WindowOptions& options, const GlobalOptions& global)
         return chooseCamera(options.camera, scene, aspect);
     };
     host.writePicture = write;
+    host.lampOf = presetLamp;
     host.saveScene = [&options](const std::string& source, const SceneToSave& scene, const std::string& target) {
         save(options.scene, source, scene, target);
     };

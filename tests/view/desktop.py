@@ -106,6 +106,7 @@ class Window:
 
     def type(self, text):
         self.run_tool("type", "--delay", 20, text)
+        self.rest()
 
     def move(self, x, y):
         self.run_tool("mousemove", round(x), round(y))
@@ -113,11 +114,14 @@ class Window:
 
     def place(self, name):
         """The middle of something that the panels show."""
-        report = self.wait_for(lambda r: name in r["places"], f"{name} to be there")
-        if name.startswith("entry."):  # a list that opens finds its place in the second picture
-            time.sleep(0.2)
-            report = self.rest()
-        left, top, right, bottom = report["places"][name]
+        last = None
+        while True:  # what opens finds its place in its second picture
+            now = self.wait_for(lambda r: name in r["places"], f"{name} to be there")["places"][name]
+            if now == last:
+                break
+            last = now
+            time.sleep(0.15)
+        left, top, right, bottom = now
         return (left + right) / 2, (top + bottom) / 2
 
     def click(self, name_or_place, button=1, count=1):

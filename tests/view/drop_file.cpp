@@ -52,7 +52,7 @@ struct Drop
         XFlush(display);
     }
 
-    // The window's answer of this kind; whether it says yes (bit 0 of the second word).
+    // The window's answer of this kind; whether it says yes in its second word (GLFW puts a count of bytes there).
     bool awaitAnswer(const char* type) const
     {
         for (XEvent event;;) {
@@ -60,7 +60,7 @@ struct Drop
             if (event.type == SelectionRequest)
                 answer(event.xselectionrequest);
             else if (event.type == ClientMessage && event.xclient.message_type == atom(type))
-                return event.xclient.data.l[1] & 1;
+                return event.xclient.data.l[1] != 0;
         }
     }
 

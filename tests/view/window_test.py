@@ -132,10 +132,10 @@ class WindowTest(unittest.TestCase):
         self.drag_slider("material.roughness")
         window.wait_for(lambda r: r.get("unsaved"), "unsaved changes")
         window.key("ctrl+q")
-        window.wait_for(lambda r: r["asks_to_close"], "the question")
+        window.wait_for(lambda r: r["asks_of_unsaved"], "the question")
         self.keep("close")
         window.click("close.stay")
-        window.wait_for(lambda r: not r["asks_to_close"], "the question to go")
+        window.wait_for(lambda r: not r["asks_of_unsaved"], "the question to go")
         window.key("ctrl+q")
         window.click("close.discard")
         self.assertEqual(window.process.wait(desktop.PATIENCE), 0, window.said())
@@ -208,6 +208,101 @@ class WindowTest(unittest.TestCase):
         self.keep("errors")
         self.leave()
 
+    # What leaves it.
+
+    def save_as(self, folder, name):
+        """Answers the file browser."""
+        window = self.window
+        window.click("browser.folder")
+        window.key("ctrl+a")
+        window.type(str(folder))
+        window.click("browser.name")
+        window.key("ctrl+a")
+        window.type(name)
+        window.click("browser.save")
+
+    def test_picture(self):
+        self.open("--tone", "agx", "--exposure", "0.5")
+        window = self.window
+        window.drag(window.picture_place(0.5, 0.5), window.picture_place(0.6, 0.4))
+        window.wait_for(lambda r: any(a.startswith("--target=") for a in r["command"]), "the camera to turn")
+        window.key("ctrl+p")
+        self.save_as(self.folder, "saved.png")
+        report = window.wait_for(lambda r: r["notice"].startswith("saved"), "the picture to be saved")
+        self.assertEqual((self.folder / "saved.png").read_bytes(), self.rendered(report).read_bytes(),
+                         "the bytes of torrance render")
+        self.leave()
+
+    def test_turntable(self):
+        self.open()
+        window = self.window
+        for title in ("Scene", "Material", "Picture"):
+            window.click("section." + title)
+        self.drag_slider("picture.frames", 0.0)
+        window.click("picture.turntable")
+        self.save_as(self.folder, "turn.png")
+        window.wait_for(lambda r: "(2 of 2)" in r["notice"], "two pictures")
+        report = window.rest()
+        self.assertEqual((self.folder / "turn-000.png").read_bytes(), self.rendered(report).read_bytes())
+        orbit = next(a for a in report["command"] if a.startswith("--orbit="))
+        theta, rest = orbit[len("--orbit="):].split(",", 1)
+        opposite = float(theta) + (180 if float(theta) < 0 else -180)
+        report["command"][report["command"].index(orbit)] = f"--orbit={opposite!r},{rest}"
+        worst, _ = pictures.read_png(self.folder / "turn-001.png").worst_difference(pictures.read_png(self.rendered(report)))
+        self.assertLessEqual(worst, 1)
+        self.leave()
+
+    def test_save(self):
+        source = Path(PROGRAM).parent.parent / "share" / "torrance" / "assets" / "demo"
+        shutil.copytree(source, self.folder, dirs_exist_ok=True)
+        file = self.folder / "demo.gltf"
+        before = json.loads(file.read_text())
+        self.open(scene=file)
+        window = self.window
+        window.click(window.picture_place(0.5, 0.55))
+        report = window.wait_for(lambda r: r["selected_material"] >= 0, "an object to be selected")
+        name = report["materials"][report["selected_material"]]["name"]
+        self.drag_slider("material.metallic")
+        report = window.wait_for(lambda r: r["unsaved"], "a change")
+        metallic = report["materials"][report["selected_material"]]["metallicFactor"]
+        window.key("ctrl+s")
+        window.click("browser.save")
+        window.click("browser.save")  # "Replace it"
+        window.wait_for(lambda r: not r["unsaved"], "the scene to be saved")
+        after = json.loads(file.read_text())
+        for old, new in zip(before["materials"], after["materials"]):
+            if old["name"] == name:
+                self.assertEqual(new["pbrMetallicRoughness"]["metallicFactor"], metallic)
+                old["pbrMetallicRoughness"]["metallicFactor"] = metallic
+        self.assertEqual(before, after, "nothing else has changed")
+        self.expect_as_rendered("saved")
+        self.leave()
+
+    def test_compare(self):
+        self.open()
+        window = self.window
+        for title in ("Scene", "Material", "Picture"):
+            window.click("section." + title)
+        before = window.shown()
+        window.click("picture.keep")
+        window.wait_for(lambda r: "picture.split" in r["places"], "the line")
+        window.click("section.Picture")
+        window.click("section.Methods")
+        window.click("method.view")
+        window.click("entry.roughness")
+        window.wait_for(lambda r: "--view=roughness" in r["command"], "the roughness")
+        both = window.shown()
+        self.keep("compare")
+        file = pictures.read_png(self.rendered(window.report()))
+        half = both.width // 2 - 3  # the line between them is a pixel or two
+
+        def differ(a, b, x):
+            return a.crop(x, 0, half, a.height).worst_difference(b.crop(x, 0, half, b.height))[0]
+
+        self.assertEqual(differ(both, before, 0), 0)
+        self.assertLessEqual(differ(both, file, both.width - half), 1)
+        self.leave()
+
     # What happens to it.
 
     def test_shader_reload(self):
@@ -274,7 +369,7 @@ class WindowTest(unittest.TestCase):
         report = window.wait_for(lambda r: r["error"], "the error")
         self.assertEqual(report["scene"], "demo", "the old scene stays")
         said = subprocess.run([PROGRAM, "render", bad, "-o", self.folder / "x.png"], text=True, stderr=subprocess.PIPE).stderr
-        self.assertEqual("torrance: " + report["error"], said.strip(), "in the words of the command line")
+        self.assertEqual("torrance: error: " + report["error"], said.strip(), "in the words of the command line")
         self.keep("drop")
         window.click("error.close")
         self.expect_as_rendered("after the bad file")

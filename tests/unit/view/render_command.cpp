@@ -17,6 +17,10 @@ struct Opened
         state.scene->scene().materials.resize(1);
         state.history.emplace(editsOf(state.scene->scene(), {}));
         state.settings.methods = *brdf::findPreset("standard");
+        host.settings = state.settings;
+        host.lampOf = [](const brdf::Preset& preset) {
+            return preset.light.empty() ? std::nullopt : std::optional(Light{.name = std::string(preset.id)});
+        };
         state.settings.width = 640;
         state.settings.height = 360;
         state.write = {.tone = findToneCurve("khronos_neutral"), .transfer = findTransferCurve("srgb")};
@@ -73,6 +77,16 @@ TEST(RenderCommand, NamesWhatNoOptionSays)
     edits.lights.resize(1);
     opened.state.history->commit(edits);
     EXPECT_EQ(renderCommandOf(opened.state, opened.host).lost, (std::vector<std::string>{"materials", "lights"}));
+}
+
+TEST(RenderCommand, APresetsOwnLampComesWithThePreset)
+{
+    Opened opened;
+    opened.state.settings.methods = *brdf::findPreset("ue4-direct");
+    Edits edits = opened.state.edits();
+    edits.lights.push_back(*opened.host.lampOf(opened.state.settings.methods));
+    opened.state.history->commit(edits);
+    EXPECT_TRUE(renderCommandOf(opened.state, opened.host).lost.empty());
 }
 
 } // namespace
