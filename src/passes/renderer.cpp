@@ -89,7 +89,7 @@ DeviceScene Renderer::upload(const Scene& scene, const ShadingPlan& plan, const 
 }
 
 const gpu::Pipeline& Renderer::imagePipeline(const std::string& fragment, const std::string& selected,
-                                             const gpu::PipelineDescription& description)
+                                             const gpu::PipelineDescription& description, const std::string& vertex)
 {
     std::string identity =
         fragment + selected + vk::to_string(description.depthFormat.value_or(vk::Format::eUndefined));
@@ -98,8 +98,8 @@ const gpu::Pipeline& Renderer::imagePipeline(const std::string& fragment, const 
     if (const auto found = imagePipelines.find(identity); found != imagePipelines.end())
         return found->second;
     return imagePipelines
-        .emplace(identity, gpu::makePipeline(device, shaders.get("passes/fullscreen.vert", selected),
-                                             shaders.get(fragment, selected), description))
+        .emplace(identity,
+                 gpu::makePipeline(device, shaders.get(vertex, selected), shaders.get(fragment, selected), description))
         .first->second;
 }
 
@@ -212,9 +212,11 @@ void Renderer::resolveAttributes(gpu::Commands& commands, const FrameInputs& fra
         if (areas[i].empty())
             continue;
         const ResolveForm form = resolveForm(plan, plan.classes[i]);
+        const std::string selected = form.selected + flatUniformsText(device);
         commands.buffer.setStencilReference(vk::StencilFaceFlagBits::eFrontAndBack, static_cast<std::uint32_t>(i + 1));
         commands.buffer.setScissor(0, rectangleOf(areas[i])); // outside, even the test of the stencil costs
-        drawFullscreen(commands, imagePipeline("passes/resolve.frag", form.selected, form.description),
+        drawFullscreen(commands,
+                       imagePipeline("passes/resolve.frag", selected, form.description, "passes/resolve.vert"),
                        resolveBindings(frame, i, *targets.attributes, pointSampler));
     }
     commands.buffer.setScissor(0, vk::Rect2D{{0, 0}, {targets.color.shape.width, targets.color.shape.height}});
