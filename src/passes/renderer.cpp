@@ -24,9 +24,12 @@
 namespace torrance {
 namespace {
 
-// What stands behind the scene where it is no panorama.
-ClearColor backgroundClear(const Settings& settings)
+// What stands behind the scene. A panorama is drawn where no surface is, so that nothing is left of what was there.
+ClearColor backgroundClear(const ShadingPlan& plan)
 {
+    const Settings& settings = plan.settings;
+    if (plan.panorama)
+        return kKeep;
     if (settings.background == BackgroundKind::transparent)
         return kClearToNothing;
     const dvec3 color = settings.background == BackgroundKind::color ? settings.backgroundColor : dvec3(0.0);
@@ -206,7 +209,7 @@ void Renderer::resolveAttributes(gpu::Commands& commands, const FrameInputs& fra
     const ShadingPlan& plan = frame.scene.plan;
     commands.use(attributeUses(*targets.attributes));
     const std::array colors = {&targets.color};
-    beginRendering(commands, colors, &targets.attributes->depth, backgroundClear(plan.settings), LoadTarget::readOnly);
+    beginRendering(commands, colors, &targets.attributes->depth, backgroundClear(plan), LoadTarget::readOnly);
     const std::vector<PixelBox> areas = classAreas(frame);
     for (std::size_t i = 0; i < plan.classes.size(); ++i) {
         if (areas[i].empty())
@@ -250,7 +253,7 @@ void Renderer::drawSurfaces(gpu::Commands& commands, const FrameInputs& frame)
     if (path == RenderPath::deferred)
         commands.use(gbufferUses(targets.gbuffer));
     const std::array colors = {&targets.color};
-    beginRendering(commands, colors, &*targets.depth, backgroundClear(plan.settings),
+    beginRendering(commands, colors, &*targets.depth, backgroundClear(plan),
                    path == RenderPath::forward ? LoadTarget::clear : LoadTarget::keep);
     switch (path) {
     case RenderPath::forward:
