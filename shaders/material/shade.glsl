@@ -24,6 +24,29 @@ float alphaOf(Surface s)
 #ifdef PUNCTUAL_LIGHTS
 #include "light/light_block.glsl"
 
+// Of directional light i. The first one's may be told by the vertex shader (passes/flat_uniforms.glsl).
+#ifdef FLAT_UNIFORMS
+vec3 lightDirection(uint i)
+{
+    return i == 0u ? flatLightDirection : lights[i].direction;
+}
+
+vec3 lightIntensity(uint i)
+{
+    return i == 0u ? flatLightIntensity : lights[i].intensity;
+}
+#else
+vec3 lightDirection(uint i)
+{
+    return lights[i].direction;
+}
+
+vec3 lightIntensity(uint i)
+{
+    return lights[i].intensity;
+}
+#endif
+
 // The surface's terms for light from `l`, unit.
 BrdfTerms reflectedTerms(Surface s, float alpha, LobeAlbedo lobe, vec3 l)
 {
@@ -49,7 +72,7 @@ vec3 punctualLight(Surface s, float alpha, LobeAlbedo lobe)
 {
     vec3 sum = vec3(0.0);
     for (uint i = 0; i < kDirectionalCount; ++i)
-        sum += reflected(s, alpha, lobe, lights[i].direction, lights[i].intensity);
+        sum += reflected(s, alpha, lobe, lightDirection(i), lightIntensity(i));
     for (uint i = 0; i < kPointCount + kSpotCount; ++i)
     {
         Light light = lights[kDirectionalCount + i];

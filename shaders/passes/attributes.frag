@@ -19,8 +19,11 @@ vec3 attributeNormal()
 #ifdef VANISHING_NORMALS
     if (dot(inNormal, inNormal) > 0.0)
         return inNormal;
-    vec3 view = directionOf(frame.towardsEye - frame.eyeWeight * inPosition);
-    return readGeometricNormal(view) * seenSide(); // turned back when it is read
+    // As readGeometricNormal has it; but whoever sees the triangle sees its x and y turn one way, so that nothing is read of the frame.
+    vec3 g = cross(dFdy(inPosition), dFdx(inPosition));
+    float length2 = dot(g, g);
+    const vec3 any = vec3(0.0, 0.0, 1.0); // too small to have a side
+    return (length2 > 0.0 ? g * inversesqrt(length2) : any) * seenSide(); // turned back when it is read
 #else
     return inNormal;
 #endif

@@ -1,10 +1,9 @@
 // The colour of the surfaces of one class, whose attributes passes/attributes.frag left: each pixel is shaded once. The stencil lets through
 // the pixels of the class.
 #include "selected.glsl"
-#include "shared/bindings.h"
+#define PIXEL_RAYS
+#include "passes/uniforms.glsl"
 #include "shared/constants.h"
-#include "shared/frame.h"
-#include "shared/material.h"
 #include "material/attributes.glsl"
 #include "material/bend_normal.glsl"
 #include "material/direction.glsl"
@@ -12,11 +11,8 @@
 #include "material/surface.glsl"
 #include "material/texels.glsl"
 
-layout(set = 0, binding = kBindFrame, scalar) uniform FrameBlock { Frame frame; };
 #ifdef MATERIAL_LIST
 layout(set = 0, binding = kBindMaterial, scalar) uniform MaterialBlock { Material materials[kMaxClassMaterials]; };
-#else
-layout(set = 0, binding = kBindMaterial, scalar) uniform MaterialBlock { Material material; };
 #endif
 
 #include "material/shade.glsl"
@@ -69,6 +65,7 @@ Texels readTexels(Material m, vec2 uv, float level)
 
 void main()
 {
+    readUniforms();
     ivec2 pixel = ivec2(gl_FragCoord.xy);
     uvec4 word = texelFetch(attributeNormals, pixel, 0);
     AttributeBits bits = unpackBits(word.w);

@@ -7,6 +7,7 @@ layout(location = 0) out vec4 outColor;
 
 void main()
 {
+    readUniforms();
     Surface s = readSurface();
     applyAlphaMode(s, material.alphaCutoff);
     outColor = vec4(shade(s) * s.alpha, s.alpha);

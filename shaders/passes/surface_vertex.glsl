@@ -61,6 +61,10 @@ layout(location = 10) out vec2 outOcclusionUv;
 layout(location = 11) out vec2 outEmissiveUv;
 #endif
 
+#ifdef FLAT_UNIFORMS
+#include "passes/uniforms_out.glsl"
+#endif
+
 invariant gl_Position; // as passes/depth.vert has it
 
 void main()
@@ -103,6 +107,9 @@ void main()
 #endif
 #ifdef EMISSIVE_UV_SOURCE
     outEmissiveUv = transformUv(material.emissiveUv, EMISSIVE_UV_SOURCE);
+#endif
+#ifdef FLAT_UNIFORMS
+    tellUniforms();
 #endif
 #ifdef SURFACE_POINTS
     gl_PointSize = 1.0;

@@ -73,7 +73,8 @@ ContentHash contentOf(const std::vector<WarmScene>& scenes, const Environment& e
         for (const ShadingClass& shadingClass : plan.classes)
             addText("passes/resolve.frag", resolveText(plan, shadingClass));
     }
-    for (const char* entry : {"passes/background.frag", "passes/accumulate.frag", "passes/depth.vert"})
+    for (const char* entry : {"passes/background.frag", "passes/accumulate.frag", "passes/depth.vert",
+                              "passes/surface.vert", "passes/resolve.vert"})
         addText(entry, "");
     return hasher.finish();
 }

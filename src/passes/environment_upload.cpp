@@ -49,7 +49,8 @@ const gpu::DeviceImage& EnvironmentStore::radianceCube(const Image& radiance, co
         return found->second;
     int size = 0;
     const std::vector<float> texels = cubeTexels(radiance, content, size);
-    return radianceCubes.emplace(key, uploadCube(device, radiancePyramid(texels, size), "radiance")).first->second;
+    return radianceCubes.emplace(key, uploadCube(device, radiancePyramid(texels, size), CubeAlpha::unread, "radiance"))
+        .first->second;
 }
 
 // The radiance itself: level 0 of the chain.
@@ -70,8 +71,8 @@ const LampImages& EnvironmentStore::lamps(const Image& radiance, const ContentHa
     const std::vector<float> texels = cubeTexels(radiance, content, size);
     EnvironmentLamps split = splitLamps(texels, size, points);
     return lampImages
-        .emplace(key, LampImages{uploadCube(device, split.rest, "radiance without lamps"),
-                                 uploadCube(device, split.lamps, "lamps"), std::move(split.points)})
+        .emplace(key, LampImages{uploadCube(device, split.rest, CubeAlpha::unread, "radiance without lamps"),
+                                 uploadCube(device, split.lamps, CubeAlpha::read, "lamps"), std::move(split.points)})
         .first->second;
 }
 

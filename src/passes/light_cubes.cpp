@@ -1,6 +1,7 @@
 #include "passes/light_cubes.h"
 
 #include "core/data_folder.h"
+#include "gpu/unread_channels.h"
 #include "passes/image_fill.h"
 
 #include <cstring>
@@ -14,12 +15,15 @@ constexpr std::size_t kTexelBytes = 16;
 constexpr const char* kSpecularName = "prefiltered environment";
 constexpr const char* kDiffuseName = "irradiance";
 
-gpu::DeviceImage makeCube(const gpu::Device& device, std::uint32_t size, std::uint32_t levels, const char* name)
+gpu::DeviceImage makeCube(const gpu::Device& device, std::uint32_t size, std::uint32_t levels, CubeAlpha alpha,
+                          const char* name)
 {
     using Usage = vk::ImageUsageFlagBits;
-    return gpu::makeImage(
+    gpu::DeviceImage image = gpu::makeImage(
         device, {.width = size, .height = size, .mips = levels, .layers = 6, .cube = true, .format = kFloatFormat},
         Usage::eSampled | Usage::eTransferDst, name);
+    gpu::leaveOutUnread(device, image, {true, true, true, alpha == CubeAlpha::read}, name);
+    return image;
 }
 
 /// Nothing where the file turns out to be damaged: what was uploaded is not looked at.
@@ -28,8 +32,8 @@ std::optional<LightCubes> upload(const gpu::Device& device, KeptResult kept)
     const auto shape = readShape(kept);
     if (!shape)
         return std::nullopt;
-    LightCubes cubes = {makeCube(device, shape->size, shape->levels, kSpecularName),
-                        makeCube(device, shape->irradianceSize, 1, kDiffuseName)};
+    LightCubes cubes = {makeCube(device, shape->size, shape->levels, CubeAlpha::unread, kSpecularName),
+                        makeCube(device, shape->irradianceSize, 1, CubeAlpha::unread, kDiffuseName)};
     const auto next = [&](std::span<std::byte> to) { return kept.read(to); };
     const bool whole = fillImage(device, cubes.specular, kTexelBytes, next) &&
                        fillImage(device, cubes.diffuse, kTexelBytes, next) && kept.isIntact();
@@ -58,10 +62,10 @@ EnvironmentMaps makeAndKeep(const brdf::Method& specular, const Image& radiance,
 
 } // namespace
 
-gpu::DeviceImage uploadCube(const gpu::Device& device, const CubeLevels& cube, const char* name)
+gpu::DeviceImage uploadCube(const gpu::Device& device, const CubeLevels& cube, CubeAlpha alpha, const char* name)
 {
     gpu::DeviceImage image =
-        makeCube(device, static_cast<std::uint32_t>(cube.size), static_cast<std::uint32_t>(cube.levels), name);
+        makeCube(device, static_cast<std::uint32_t>(cube.size), static_cast<std::uint32_t>(cube.levels), alpha, name);
     std::size_t level = 0, done = 0; // bytes of it
     fillImage(device, image, kTexelBytes, [&](std::span<std::byte> to) {
         while (!to.empty()) {
@@ -84,7 +88,8 @@ LightCubes makeLightCubes(const gpu::Device& device, const brdf::Method& specula
     if (auto kept = fromKept(key, cache, [&](KeptResult file) { return upload(device, std::move(file)); }))
         return std::move(*kept);
     const EnvironmentMaps maps = makeAndKeep(specular, radiance, key, cache);
-    return {uploadCube(device, maps.specular, kSpecularName), uploadCube(device, maps.irradiance, kDiffuseName)};
+    return {uploadCube(device, maps.specular, CubeAlpha::unread, kSpecularName),
+            uploadCube(device, maps.irradiance, CubeAlpha::unread, kDiffuseName)};
 }
 
 EnvironmentMaps keptEnvironmentMaps(const brdf::Method& specular, const Image& radiance, const ContentHash& content,

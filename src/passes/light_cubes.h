@@ -21,6 +21,13 @@ LightCubes makeLightCubes(const gpu::Device& device, const brdf::Method& specula
 EnvironmentMaps keptEnvironmentMaps(const brdf::Method& specular, const Image& radiance, const ContentHash& content,
                                     DiskCache& cache);
 
-gpu::DeviceImage uploadCube(const gpu::Device& device, const CubeLevels& cube, const char* name);
+/// Whether shaders read the fourth channel: density, in the cube of lamps alone.
+enum class CubeAlpha
+{
+    read,
+    unread,
+};
+
+gpu::DeviceImage uploadCube(const gpu::Device& device, const CubeLevels& cube, CubeAlpha alpha, const char* name);
 
 } // namespace torrance

@@ -1,6 +1,5 @@
 #include "passes/renderer.h"
 
-#include "brdf/environment.h"
 #include "core/error.h"
 #include "gpu/guard.h"
 #include "image/reconstruction.h"
@@ -25,9 +24,12 @@
 namespace torrance {
 namespace {
 
-// What stands behind the scene where it is no panorama.
-ClearColor backgroundClear(const Settings& settings)
+// What stands behind the scene. A panorama is drawn where no surface is, so that nothing is left of what was there.
+ClearColor backgroundClear(const ShadingPlan& plan)
 {
+    const Settings& settings = plan.settings;
+    if (plan.panorama)
+        return kKeep;
     if (settings.background == BackgroundKind::transparent)
         return kClearToNothing;
     const dvec3 color = settings.background == BackgroundKind::color ? settings.backgroundColor : dvec3(0.0);
@@ -40,13 +42,10 @@ vk::Rect2D rectangleOf(const PixelBox& box)
     return {{box.first.x, box.first.y}, {static_cast<std::uint32_t>(size.x), static_cast<std::uint32_t>(size.y)}};
 }
 
-// Pixels that no surface covers are never shaded, and need no clearing; but lavapipe shades them in the lanes beside a
-// silhouette's, and in the loop over lamp points what lies there was seen to change the last bit of its neighbours.
-ClearColor attributesClear(const ShadingPlan& plan)
-{
-    const brdf::Method* specular = plan.settings.methods.environmentSpecular;
-    return plan.environmentLight && brdf::hasLampPoints(*specular) ? ClearColor(vec4(0.0f)) : kKeep;
-}
+// Pixels that no surface covers are never shaded; but lavapipe shades them in the lanes beside a silhouette's, and what
+// lay there was seen to change the last bit of its neighbours: the same inputs give the same bytes only when it is
+// always the same.
+constexpr ClearColor kClearAttributes = kClearToNothing;
 
 // Whether the attributes path leaves something to be shaded as it is drawn.
 bool drawsDirectly(const ShadingPlan& plan)
@@ -121,7 +120,7 @@ void Renderer::prepareEnvironment(const Scene& scene, const ShadingPlan& plan)
 }
 
 const gpu::Pipeline& Renderer::imagePipeline(const std::string& fragment, const std::string& selected,
-                                             const gpu::PipelineDescription& description)
+                                             const gpu::PipelineDescription& description, const std::string& vertex)
 {
     std::string identity =
         fragment + selected + vk::to_string(description.depthFormat.value_or(vk::Format::eUndefined));
@@ -130,8 +129,8 @@ const gpu::Pipeline& Renderer::imagePipeline(const std::string& fragment, const 
     if (const auto found = imagePipelines.find(identity); found != imagePipelines.end())
         return found->second;
     return imagePipelines
-        .emplace(identity, gpu::makePipeline(device, shaders.get("passes/fullscreen.vert", selected),
-                                             shaders.get(fragment, selected), description))
+        .emplace(identity,
+                 gpu::makePipeline(device, shaders.get(vertex, selected), shaders.get(fragment, selected), description))
         .first->second;
 }
 
@@ -220,9 +219,7 @@ void Renderer::drawAttributes(gpu::Commands& commands, const FrameInputs& frame)
     std::vector<const gpu::DeviceImage*> pointers;
     for (std::size_t i = 0; i < attributePictures(frame.scene.plan); ++i) // there may be more, of another plan
         pointers.push_back(&targets.attributes->pictures[i]);
-    // What lies under no class is never read: nothing is cleared but depth and classes.
-    beginRendering(commands, pointers, &targets.attributes->depth, attributesClear(frame.scene.plan),
-                   LoadTarget::clear);
+    beginRendering(commands, pointers, &targets.attributes->depth, kClearAttributes, LoadTarget::clear);
     for (const Batch& batch : frame.scene.plan.batches) {
         if (batch.shadingClass < 0)
             continue;
@@ -238,15 +235,17 @@ void Renderer::resolveAttributes(gpu::Commands& commands, const FrameInputs& fra
     const ShadingPlan& plan = frame.scene.plan;
     commands.use(attributeUses(*targets.attributes));
     const std::array colors = {&targets.color};
-    beginRendering(commands, colors, &targets.attributes->depth, backgroundClear(plan.settings), LoadTarget::readOnly);
+    beginRendering(commands, colors, &targets.attributes->depth, backgroundClear(plan), LoadTarget::readOnly);
     const std::vector<PixelBox> areas = classAreas(frame);
     for (std::size_t i = 0; i < plan.classes.size(); ++i) {
         if (areas[i].empty())
             continue;
         const ResolveForm form = resolveForm(plan, plan.classes[i]);
+        const std::string selected = form.selected + flatUniformsText(device);
         commands.buffer.setStencilReference(vk::StencilFaceFlagBits::eFrontAndBack, static_cast<std::uint32_t>(i + 1));
         commands.buffer.setScissor(0, rectangleOf(areas[i])); // outside, even the test of the stencil costs
-        drawFullscreen(commands, imagePipeline("passes/resolve.frag", form.selected, form.description),
+        drawFullscreen(commands,
+                       imagePipeline("passes/resolve.frag", selected, form.description, "passes/resolve.vert"),
                        resolveBindings(frame, i, *targets.attributes, pointSampler));
     }
     commands.buffer.setScissor(0, vk::Rect2D{{0, 0}, {targets.color.shape.width, targets.color.shape.height}});
@@ -280,7 +279,7 @@ void Renderer::drawSurfaces(gpu::Commands& commands, const FrameInputs& frame)
     if (path == RenderPath::deferred)
         commands.use(gbufferUses(targets.gbuffer));
     const std::array colors = {&targets.color};
-    beginRendering(commands, colors, &*targets.depth, backgroundClear(plan.settings),
+    beginRendering(commands, colors, &*targets.depth, backgroundClear(plan),
                    path == RenderPath::forward ? LoadTarget::clear : LoadTarget::keep);
     switch (path) {
     case RenderPath::forward:

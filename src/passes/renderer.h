@@ -120,7 +120,8 @@ private:
     void accumulate(const gpu::DeviceImage& sum, int index, int count);
     std::vector<Layer> drawLayers(const DeviceScene& scene, const Camera& camera);
     const gpu::Pipeline& imagePipeline(const std::string& fragment, const std::string& selected,
-                                       const gpu::PipelineDescription& description);
+                                       const gpu::PipelineDescription& description,
+                                       const std::string& vertex = "passes/fullscreen.vert");
 
     const gpu::Device& device;
     gpu::ShaderLibrary& shaders;

@@ -134,6 +134,13 @@ OutputForm formOf(const ShadingPlan& plan, const ShaderKey& key, SurfaceOutput o
     return {plan.settings.view ? "passes/surface_view.frag" : "passes/surface.frag", 1, shadingConstants(plan)};
 }
 
+// passes/surface.frag behind passes/surface.vert.
+bool isShaded(const ShadingPlan& plan, const ShaderKey& key, SurfaceOutput output)
+{
+    const bool colors = output == SurfaceOutput::color || output == SurfaceOutput::colorAtDepth;
+    return colors && !plan.settings.view && !isShape(key.surface);
+}
+
 gpu::DepthUse depthUseOf(const ShaderKey& key, SurfaceOutput output)
 {
     if (output == SurfaceOutput::colorAtDepth && hasDepthPass(key))
@@ -216,6 +223,11 @@ void drawSides(gpu::Commands& commands, const Batch& batch, SurfaceOutput output
 
 } // namespace
 
+const char* flatUniformsText(const gpu::Device& device)
+{
+    return device.description.isProcessor() ? "#define FLAT_UNIFORMS\n" : "";
+}
+
 std::vector<std::uint32_t> shadingConstants(const ShadingPlan& plan)
 {
     std::vector<std::uint32_t> constants;
@@ -236,6 +248,8 @@ const gpu::Pipeline& SurfacePipelines::get(const ShadingPlan& plan, const Batch&
                                                                  : selectedText(plan, key);
     if (output == SurfaceOutput::sampleDepth && !plainDepth)
         selected += "#define AT_SAMPLES\n"; // inputs are those of the sample, not of the pixel's centre
+    if (isShaded(plan, key, output))
+        selected += flatUniformsText(device);
     const OutputForm form = formOf(plan, key, output);
     const gpu::PipelineDescription description = describePipeline(plan, key, output, form);
     std::string identity = selected + form.fragment + vk::to_string(description.topology) +

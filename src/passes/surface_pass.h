@@ -32,6 +32,10 @@ void bindTextures(gpu::Bindings& bindings, const TextureSet& set, const Textures
 /// samples.
 std::vector<std::uint32_t> shadingConstants(const ShadingPlan& plan);
 
+/// What selected.glsl says beside the plan: whether shading's vertex shaders tell fragments what these read of uniform
+/// blocks (shaders/passes/flat_uniforms.glsl), as pays off where a processor draws.
+const char* flatUniformsText(const gpu::Device& device);
+
 /// Whether depth can be drawn before colour: not of analytic shapes, whose depth is computed for each pixel, and twice
 /// need not give the same bits.
 bool hasDepthPass(const ShaderKey& key);

@@ -1,10 +1,13 @@
 #include "passes/targets.h"
 
+#include <algorithm>
 #include <array>
 #include <cstring>
 
 namespace torrance {
 namespace {
+
+constexpr std::size_t kTexelBytes = 4 * sizeof(float); // of a colour
 
 vk::RenderingAttachmentInfo attachment(const gpu::DeviceImage& image, vk::ImageLayout layout, bool clears,
                                        const vk::ClearValue& value)
@@ -22,16 +25,46 @@ vk::ClearValue clearValueOf(const ClearColor& color)
     return vk::ClearColorValue(std::array{value.r, value.g, value.b, value.a});
 }
 
+constexpr auto kColorUsage = vk::ImageUsageFlagBits::eColorAttachment | vk::ImageUsageFlagBits::eSampled |
+                             vk::ImageUsageFlagBits::eTransferSrc | vk::ImageUsageFlagBits::eTransferDst;
+
+// Whether colours lie row by row in the host's memory, where it reads them without a copy: a processor's driver draws
+// into rows as well as into anything else.
+bool drawsIntoRows(const gpu::Device& device)
+{
+    if (!device.description.isProcessor())
+        return false;
+    constexpr auto kNeeded = vk::FormatFeatureFlagBits::eColorAttachment | vk::FormatFeatureFlagBits::eSampledImage;
+    if ((device.physical.getFormatProperties(kColorFormat).linearTilingFeatures & kNeeded) != kNeeded)
+        return false;
+    try {
+        const vk::ImageFormatProperties limits = device.physical.getImageFormatProperties(
+            kColorFormat, vk::ImageType::e2D, vk::ImageTiling::eLinear, kColorUsage);
+        return std::min(limits.maxExtent.width, limits.maxExtent.height) >= device.limits.maxImageDimension2D;
+    } catch (const vk::FormatNotSupportedError&) {
+        return false;
+    }
+}
+
+void copyRows(const gpu::DeviceImage& target, Image& image)
+{
+    const vk::SubresourceLayout layout = target.handle.getSubresourceLayout({vk::ImageAspectFlagBits::eColor, 0, 0});
+    const auto* mapped = static_cast<const std::byte*>(target.memory.mapMemory(0, VK_WHOLE_SIZE));
+    for (int y = 0; y < image.height; ++y)
+        std::memcpy(image.at(0, y), mapped + layout.offset + static_cast<std::size_t>(y) * layout.rowPitch,
+                    static_cast<std::size_t>(image.width) * kTexelBytes);
+    target.memory.unmapMemory();
+}
+
 } // namespace
 
 gpu::DeviceImage makeColorTarget(const gpu::Device& device, int width, int height, const char* name)
 {
-    using Usage = vk::ImageUsageFlagBits;
     return gpu::makeImage(device,
                           {.width = static_cast<std::uint32_t>(width),
                            .height = static_cast<std::uint32_t>(height),
                            .format = kColorFormat},
-                          Usage::eColorAttachment | Usage::eSampled | Usage::eTransferSrc | Usage::eTransferDst, name);
+                          kColorUsage, name, drawsIntoRows(device) ? gpu::ImageTiling::rows : gpu::ImageTiling::device);
 }
 
 gpu::DeviceImage makeDepthTarget(const gpu::Device& device, int width, int height, const char* name)
@@ -104,8 +137,14 @@ void beginRendering(gpu::Commands& commands, std::span<const gpu::DeviceImage* c
 Image readBack(const gpu::Device& device, const gpu::DeviceImage& target)
 {
     const gpu::ImageShape& shape = target.shape;
-    constexpr std::size_t kTexelBytes = 4 * sizeof(float);
     Image image(static_cast<int>(shape.width), static_cast<int>(shape.height), 4);
+    if (drawsIntoRows(device)) {
+        gpu::Commands commands(device);
+        commands.use({gpu::use(target, gpu::Access::hostRead)});
+        commands.submitAndWait();
+        copyRows(target, image);
+        return image;
+    }
     const gpu::Buffer buffer =
         gpu::makeReadbackBuffer(device, vk::DeviceSize(shape.width) * shape.height * kTexelBytes, "readback");
     gpu::Commands commands(device);

@@ -2,6 +2,7 @@
 
 #include "gpu/buffer.h"
 #include "gpu/commands.h"
+#include "gpu/unread_channels.h"
 #include "passes/sampler.h"
 #include "plan/level_plan.h"
 #include "prepare/texture_levels.h"
@@ -72,6 +73,15 @@ bool isOnePicture(const ChannelPictures& pictures)
     return true;
 }
 
+std::array<bool, 4> channelsRead(const PlannedTexture& texture)
+{
+    std::array<bool, 4> read{};
+    for (std::size_t c = 0; c < read.size(); ++c)
+        read[c] = texture.channels[c].image >= 0;
+    read[3] = read[3] || texture.lengthInAlpha;
+    return read;
+}
+
 gpu::DeviceImage makeTexture(const gpu::Device& device, const Scene& scene, const PlannedTexture& texture,
                              int finestLevel)
 {
@@ -110,6 +120,7 @@ Textures::Textures(const gpu::Device& device, const Scene& scene, const ShadingP
     for (std::size_t i = 0; i < plan.textures.size(); ++i) {
         const PlannedTexture& texture = plan.textures[i];
         images.push_back(makeTexture(device, scene, texture, finestLevels[i]));
+        gpu::leaveOutUnread(device, images.back(), channelsRead(texture), "texture");
         if (!samplers.contains(texture.sampler))
             samplers.emplace(texture.sampler, makeSampler(device, texture.sampler, lodBias));
         samplerOf.push_back(texture.sampler);

@@ -38,7 +38,8 @@ void FileBrowser::readFolder()
         return;
     }
     for (const auto end = std::filesystem::directory_iterator(); iterator != end && entries.size() < kMostEntries;
-         iterator.increment(failure)) {
+         iterator.increment(failure))
+    {
         if (failure)
             break;
         std::error_code ignored;
@@ -46,7 +47,8 @@ void FileBrowser::readFolder()
         if (entry.name.starts_with('.'))
             continue;
         const std::string ending = lowered(iterator->path().extension().string());
-        if (entry.isFolder || question.endings.empty() || std::ranges::find(question.endings, ending) != question.endings.end())
+        if (entry.isFolder || question.endings.empty() ||
+            std::ranges::find(question.endings, ending) != question.endings.end())
             entries.push_back(entry);
     }
     std::ranges::sort(entries, [](const Entry& a, const Entry& b) {
@@ -84,7 +86,7 @@ void FileBrowser::draw(const std::function<void(const std::string&)>& mark)
     ImGui::SameLine();
     std::string path = folder.string();
     ImGui::SetNextItemWidth(-1.0f);
-    if (inputText("##folder", path)) {
+    if (inputWhole("##folder", path)) {
         folder = path;
         readFolder();
     }
@@ -95,7 +97,8 @@ void FileBrowser::draw(const std::function<void(const std::string&)>& mark)
     ImGui::BeginChild("entries", {0.0f, -below}, true);
     for (const Entry& entry : entries) {
         if (ImGui::Selectable((entry.isFolder ? entry.name + "/" : entry.name).c_str(), false,
-                              ImGuiSelectableFlags_AllowDoubleClick)) {
+                              ImGuiSelectableFlags_AllowDoubleClick))
+        {
             if (entry.isFolder) {
                 folder /= entry.name;
                 readFolder();
@@ -113,7 +116,7 @@ void FileBrowser::draw(const std::function<void(const std::string&)>& mark)
     ImGui::EndChild();
     if (question.saves) {
         ImGui::SetNextItemWidth(-ImGui::GetFontSize() * 12.0f);
-        if (inputText("##name", question.name))
+        if (inputWhole("##name", question.name))
             overwrites = false;
         mark("browser.name");
         ImGui::SameLine();

@@ -43,6 +43,11 @@ bool inputText(const char* label, std::string& value)
     return ImGui::InputText(label, &value);
 }
 
+bool inputWhole(const char* label, std::string& value)
+{
+    return ImGui::InputText(label, &value, ImGuiInputTextFlags_AutoSelectAll);
+}
+
 bool choose(const PanelContext& context, const char* label, const std::vector<std::string>& names, int& chosen,
             const std::function<std::string(int)>& tip)
 {

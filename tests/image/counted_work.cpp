@@ -141,6 +141,40 @@ TEST(CountedWork, FiveTexturesOfAMaterialAreThreeFetches)
     EXPECT_EQ(countInstructions(shader, kSampleImplicitLod), 3);
 }
 
+/// How many inputs of a fragment shader, or outputs of a vertex shader, are the same at all vertices (SPIR-V 1.6,
+/// 3.32.17 and 3.20: OpDecorate target Flat).
+int countFlat(const gpu::CompiledShader& shader)
+{
+    constexpr std::uint32_t kDecorate = 71, kFlat = 14;
+    int count = 0;
+    for (std::size_t at = 5; at < shader.words.size(); at += shader.words[at] >> 16)
+        count += (shader.words[at] & 0xffffu) == kDecorate && shader.words[at + 2] == kFlat ? 1 : 0;
+    return count;
+}
+
+// A fragment's uniform blocks are read lane by lane on a processor (shaders/passes/flat_uniforms.glsl).
+TEST(CountedWork, VertexShadersTellFragmentsTheirUniforms)
+{
+    Scene scene = stackedSquares();
+    scene.environment = uniformEnvironment(dvec3(0.5));
+    Settings settings = settingsOf("standard", kSize);
+    settings.path = RenderPath::attributes;
+    const ShadingPlan plan = makePlan(scene, settings);
+    const Batch& batch = plan.batches[0];
+    const std::string told = flatUniformsText(device());
+    EXPECT_EQ(told.empty(), !device().description.isProcessor());
+    const std::string always = "#define FLAT_UNIFORMS\n";
+    // The eye, three of the environment, two of the light, three of the material.
+    EXPECT_EQ(countFlat(shaders().get("passes/surface.frag", selectedText(plan, batch.key) + always)), 9);
+    EXPECT_EQ(countFlat(shaders().get("passes/surface.vert", selectedText(plan, batch.key) + always)), 9);
+    // Three of the pixels' rays and two of texture levels.
+    ASSERT_EQ(plan.classes.size(), 1u);
+    const std::string resolve = resolveText(plan, plan.classes[0]) + always;
+    EXPECT_EQ(countFlat(shaders().get("passes/resolve.vert", resolve)), 14);
+    EXPECT_EQ(countFlat(shaders().get("passes/surface.vert", attributesText(plan, batch))), 0)
+        << "attributes of small triangles cost by what each vertex holds";
+}
+
 TEST(CountedWork, AnOpaqueMeshIsTwoPipelines)
 {
     for (const RenderPath path : {RenderPath::prepass, RenderPath::attributes}) {

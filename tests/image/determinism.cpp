@@ -1,8 +1,12 @@
 // The same inputs give the same bytes: from two runs, any number of driver threads, two processes at once.
 #include "drawing.h"
+#include "gpu/test_device.h"
+#include "plan/path_plan.h"
 #include "scene/camera_fit.h"
 #include "scenes.h"
 
+#include <algorithm>
+#include <cmath>
 #include <cstdio>
 #include <cstdlib>
 #include <filesystem>
@@ -71,6 +75,54 @@ private:
     std::filesystem::path path;
     FILE* pipe = nullptr;
 };
+
+/// What a renderer draws before that leaves marks: it fills the picture with light that no other scene has.
+void drawBright(Renderer& renderer, Settings settings)
+{
+    Scene scene;
+    scene.materials.push_back({.name = "lamp"});
+    scene.materials[0].emissiveFactor = dvec3(1e3);
+    addInstance(scene, square(0), translation(dvec3(0.0, 0.0, -1.0)));
+    settings.background = BackgroundKind::transparent;
+    Camera camera;
+    camera.kind = Camera::Kind::orthographic;
+    camera.worldFromCamera[3] = dvec4(0.0, 0.0, 2.0, 1.0);
+    camera.farPlane = 10.0;
+    const ShadingPlan plan = makePlan(scene, settings);
+    const DeviceScene onDevice = renderer.upload(scene, plan);
+    const Picture bright = renderer.render(onDevice, camera);
+    ASSERT_GT(pixelOf(bright, 0, 0).r, 100.0);
+}
+
+double greatestDifference(const Picture& a, const Picture& b)
+{
+    double greatest = 0.0;
+    for (std::size_t i = 0; i < a.color.texels.size(); ++i)
+        greatest = std::max(greatest, std::abs(double(a.color.texels[i]) - b.color.texels[i]));
+    return greatest;
+}
+
+// A picture before a panorama is not cleared: every pixel is drawn.
+TEST(Determinism, NothingIsLeftOfTheFrameBefore)
+{
+    Scene scene = texturedTorus();
+    scene.lights = {testLight(Light::Kind::directional)};
+    scene.environment = uniformEnvironment(dvec3(0.2, 0.3, 0.4));
+    const Camera camera = fitCamera(scene, {0.4, 1.0}, 1.0, 0.7, 0.05);
+    for (const RenderPath path :
+         {RenderPath::forward, RenderPath::prepass, RenderPath::attributes, RenderPath::deferred}) {
+        Settings settings = settingsOf("standard", 96);
+        settings.background = BackgroundKind::environment;
+        settings.path = path;
+        const ShadingPlan plan = makePlan(scene, settings);
+        ASSERT_TRUE(plan.panorama);
+        Renderer fresh(device(), shaders(), {}), used(device(), shaders(), {});
+        drawBright(used, settings);
+        const Picture first = fresh.render(fresh.upload(scene, plan), camera);
+        const Picture second = used.render(used.upload(scene, plan), camera);
+        EXPECT_EQ(greatestDifference(first, second), 0.0) << nameOf(path);
+    }
+}
 
 TEST(Determinism, LeavesItsPicture)
 {

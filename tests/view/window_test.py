@@ -213,11 +213,9 @@ class WindowTest(unittest.TestCase):
     def save_as(self, folder, name):
         """Answers the file browser."""
         window = self.window
-        window.click("browser.folder")
-        window.key("ctrl+a")
+        window.click("browser.folder")  # which selects all of it
         window.type(str(folder))
         window.click("browser.name")
-        window.key("ctrl+a")
         window.type(name)
         window.click("browser.save")
 
@@ -421,7 +419,7 @@ class WindowTest(unittest.TestCase):
 
 def main():
     global PROGRAM, PICTURES
-    PROGRAM = sys.argv[1]
+    PROGRAM = os.path.abspath(sys.argv[1])
     PICTURES = os.environ.get("TORRANCE_SCREENSHOTS", "")
     lacking = desktop.missing() or ([] if shutil.which(str(Path(PROGRAM).with_name("torrance-view"))) else ["torrance-view"])
     if lacking:
