@@ -84,6 +84,7 @@ void drawHelp(const PanelContext& context)
         {"arrows", "turn by 5 degrees"},
         {"W A S D", "fly"},
         {"Shift+drag", "turn the environment"},
+        {"drag a lamp's mark", "move the lamp"},
         {"click", "select an object and its material"},
         {"double click", "look at what is there"},
         {"F, Shift+F", "frame all, the selected object"},

@@ -11,14 +11,20 @@ namespace {
 
 constexpr double kDegree = kPi / 180.0;
 
+// In the order in which the command line's numbers are multiplied: `torrance render` makes the same bits of them.
+double radians(double degrees)
+{
+    return degrees * kPi / 180.0;
+}
+
 OrbitAngles anglesOf(const OrbitPose& pose)
 {
-    return {.theta = pose.theta * kDegree, .phi = pose.phi * kDegree, .up = pose.up};
+    return {.theta = radians(pose.theta), .phi = radians(pose.phi), .up = pose.up};
 }
 
 Camera bareCamera(const OrbitPose& pose)
 {
-    return orbitCamera(anglesOf(pose), pose.radius, pose.target, pose.verticalFov * kDegree);
+    return orbitCamera(anglesOf(pose), pose.radius, pose.target, radians(pose.verticalFov));
 }
 
 // What the angles are measured from, for this `up`.

@@ -14,6 +14,7 @@
 #include "view/kept_settings.h"
 #include "view/render_command.h"
 #include "view/saved_scene.h"
+#include "view/screen_place.h"
 #include "view/selection_box.h"
 #include "view/viewer_report.h"
 
@@ -602,13 +603,21 @@ void Viewer::drawMarks()
                       (float(pixel.y) + float(area.first.y)) / scale.y);
     };
     constexpr ImU32 kSelected = IM_COL32(255, 170, 40, 255), kProbed = IM_COL32(80, 230, 255, 255),
-                    kLine = IM_COL32(255, 255, 255, 255);
+                    kLine = IM_COL32(255, 255, 255, 255), kLamp = IM_COL32(255, 230, 90, 255);
     const ImVec2 first = inWindow(dvec2(0.0)), beyond = inWindow(dvec2(area.size));
     list.PushClipRect(first, beyond);
     if (state.selectedInstance >= 0)
         for (const ScreenLine& line :
              selectionBox(state.scene->scene(), state.selectedInstance, shownCamera, area.size))
             list.AddLine(inWindow(line.begin), inWindow(line.end), kSelected, 1.5f);
+    for (const Light& light : state.edits().lights)
+        if (const auto pixel = light.kind == Light::Kind::directional
+                                   ? std::nullopt
+                                   : pixelOfPoint(light.position, shownCamera, area.size))
+        {
+            list.AddCircleFilled(inWindow(*pixel), kLampRadius, kLamp);
+            list.AddCircle(inWindow(*pixel), kLampRadius, IM_COL32_BLACK);
+        }
     if (!state.compared.empty()) {
         const double x = std::lround(state.split * float(area.size.x));
         list.AddLine(inWindow({x, 0.0}), inWindow({x, area.size.y}), kLine);

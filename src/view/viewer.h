@@ -87,6 +87,8 @@ private:
     Camera camera() const;
     void pickAt(const vec2& place, bool looksAtIt);
     void rotateEnvironment(double degrees);
+    int lampAt(const vec2& place) const; // of the lights; -1: none
+    void moveLamp(const vec2& pixels);
 
     void drawScene();
     Picture renderForFile(const Camera& camera);
@@ -146,6 +148,8 @@ private:
     std::optional<OpenScene> openNext; // after the one that is being opened
     std::vector<WatchedFile> watched;
     vec2 pressedAt = vec2(0.0f);
+    static constexpr float kLampRadius = 5.0f; // pixels, of the mark that a lamp is taken by
+    int draggedLamp = -1;
     bool dragging = false, draggedFar = false; // since a button was pressed in the picture
     int settling = 0; // pictures of the window still to be made: panels take two to come to rest
     std::string lastReport;

@@ -2,6 +2,7 @@
 #include "view/viewer.h"
 
 #include "scene/camera_view.h"
+#include "view/screen_place.h"
 
 #include <GLFW/glfw3.h>
 #include <cmath>
@@ -54,6 +55,26 @@ void Viewer::rotateEnvironment(double degrees)
     state.changed = true;
 }
 
+int Viewer::lampAt(const vec2& place) const
+{
+    const std::vector<Light>& lights = state.edits().lights;
+    for (std::size_t i = 0; i < lights.size(); ++i)
+        if (lights[i].kind != Light::Kind::directional)
+            if (const auto pixel = pixelOfPoint(lights[i].position, shownCamera, area.size))
+                if (glm::length(*pixel + dvec2(area.first) - dvec2(place)) <= kLampRadius)
+                    return static_cast<int>(i);
+    return -1;
+}
+
+void Viewer::moveLamp(const vec2& pixels)
+{
+    Edits edits = state.edits();
+    dvec3& position = edits.lights[static_cast<std::size_t>(draggedLamp)].position;
+    position = movedByPixels(position, dvec2(pixels), shownCamera, area.size);
+    state.history->preview(std::move(edits));
+    state.changed = true;
+}
+
 void Viewer::handleMouse()
 {
     const ImGuiIO& io = ImGui::GetIO();
@@ -66,6 +87,7 @@ void Viewer::handleMouse()
             if (ImGui::IsMouseClicked(button)) {
                 pressedAt = place;
                 dragging = true;
+                draggedLamp = button == 0 ? lampAt(place) : -1;
             }
     if (dragging) {
         const vec2 moved = vec2(io.MouseDelta.x, io.MouseDelta.y) * scale / float(area.size.y);
@@ -73,7 +95,9 @@ void Viewer::handleMouse()
         draggedFar |= farEnough;
         const bool left = ImGui::IsMouseDown(0), pans = ImGui::IsMouseDown(1) || ImGui::IsMouseDown(2) || io.KeyCtrl;
         if (farEnough && moved != vec2(0.0f)) {
-            if (left && io.KeyShift)
+            if (left && draggedLamp >= 0)
+                moveLamp(moved * float(area.size.y));
+            else if (left && io.KeyShift)
                 rotateEnvironment(kDegreesAcross * moved.x);
             else if (pans)
                 pan(freeCamera(), -moved.x, moved.y);
@@ -83,8 +107,9 @@ void Viewer::handleMouse()
         if (!left && !ImGui::IsMouseDown(1) && !ImGui::IsMouseDown(2)) {
             if (!draggedFar && ImGui::IsMouseReleased(0))
                 pickAt(place, false);
-            state.history->commit(state.edits()); // of the environment's rotation
+            state.history->commit(state.edits()); // of the environment's rotation, or of a lamp's place
             dragging = draggedFar = false;
+            draggedLamp = -1;
         }
     }
     if (io.WantCaptureMouse)

@@ -51,6 +51,9 @@ void addScene(const ViewerState& state, const ViewerHost& host, Json::Object& re
         materials.push_back(materialJson(material));
     for (const int place : edits.primitiveMaterials)
         places.emplace_back(place);
+    Json::Array lights;
+    for (const Light& light : edits.lights)
+        lights.push_back(numbers(light.position));
     Json::Array arguments;
     for (const std::string& argument : renderArguments(state, host))
         arguments.emplace_back(argument);
@@ -59,7 +62,7 @@ void addScene(const ViewerState& state, const ViewerHost& host, Json::Object& re
                                  {"command", std::move(arguments)},
                                  {"materials", std::move(materials)},
                                  {"primitive_materials", std::move(places)},
-                                 {"lights", edits.lights.size()},
+                                 {"lights", std::move(lights)},
                                  {"environment", state.environmentName},
                                  {"environment_rotation", edits.environment.rotation},
                                  {"selected_object", state.selectedInstance},

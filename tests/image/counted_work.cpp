@@ -63,7 +63,7 @@ constexpr int kLayers = 4;
 Scene stackedSquares()
 {
     Scene scene;
-    scene.materials.push_back({.name = "grey"});
+    scene.materials.emplace_back().name = "grey";
     for (int i = 0; i < kLayers; ++i)
         addInstance(scene, square(0), translation(dvec3(0.0, 0.0, 0.1 * i)));
     scene.lights.push_back({.name = "sun", .direction = dvec3(0.0, 0.0, -1.0)});

@@ -80,7 +80,7 @@ private:
 void drawBright(Renderer& renderer, Settings settings)
 {
     Scene scene;
-    scene.materials.push_back({.name = "lamp"});
+    scene.materials.emplace_back().name = "lamp";
     scene.materials[0].emissiveFactor = dvec3(1e3);
     addInstance(scene, square(0), translation(dvec3(0.0, 0.0, -1.0)));
     settings.background = BackgroundKind::transparent;

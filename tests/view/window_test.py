@@ -161,6 +161,33 @@ class WindowTest(unittest.TestCase):
         self.expect_as_rendered("studio")
         self.leave()
 
+    def test_lamp(self):
+        self.open()
+        window = self.window
+        window.click("section.Material")
+        window.click("section.Light")
+        dark = window.shown()
+        window.click("light.add")
+        before = window.wait_for(lambda r: len(r["lights"]) == 1, "a lamp")["lights"][0]
+        self.assertGreater(window.shown().worst_difference(dark)[0], 20)
+        window.key("7")  # from above, the whole scene: the lamp is somewhere in the picture or beside it
+        window.key("minus", "minus", "minus", "minus", "minus", "minus", "minus", "minus")
+        shown = window.shown()
+        x, y, width, height = window.report()["picture"]
+        # The lamp's mark is the one place of this colour.
+        places = [(i % width, i // width) for i in range(width * height) if shown.codes[3 * i:3 * i + 3] == b"\xff\xe6\x5a"]
+        self.assertTrue(places, "the lamp's mark is seen")
+        middle = (x + sum(p[0] for p in places) / len(places), y + sum(p[1] for p in places) / len(places))
+        self.keep("lamp")
+        window.drag(middle, (middle[0] - 60, middle[1] + 40))
+        after = window.wait_for(lambda r: r["can_undo"] and r["lights"][0] != before, "the lamp to move")["lights"][0]
+        self.assertLess(after[0], before[0])
+        self.assertGreater(after[2], before[2])
+        self.assertAlmostEqual(after[1], before[1], places=6)
+        window.key("ctrl+z")
+        window.wait_for(lambda r: r["lights"][0] == before, "the lamp to go back")
+        self.leave()
+
     def test_method(self):
         self.open()
         window = self.window
