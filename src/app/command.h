@@ -20,7 +20,7 @@ struct GlobalOptions
     bool quiet = false;
     bool verbose = false;
     bool noCache = false;
-    std::string json; // file for the command's result, "-" for standard output, empty for none
+    std::string json;                   // file for the command's result, "-" for standard output, empty for none
     std::vector<std::string> arguments; // of the process, as they were given
 };
 

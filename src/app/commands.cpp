@@ -20,9 +20,9 @@ namespace torrance {
 
 std::vector<Command> allCommands()
 {
-    return {renderCommand(), viewCommand(),    referenceCommand(), inspectCommand(), compareCommand(),   methodsCommand(),
-            probeCommand(),     benchCommand(),     chartCommand(),   calibrateCommand(), conformCommand(),
-            stabilityCommand(), verifyCommand(),    devicesCommand(), warmCommand()};
+    return {renderCommand(),  viewCommand(),      referenceCommand(), inspectCommand(), compareCommand(),
+            methodsCommand(), probeCommand(),     benchCommand(),     chartCommand(),   calibrateCommand(),
+            conformCommand(), stabilityCommand(), verifyCommand(),    devicesCommand(), warmCommand()};
 }
 
 } // namespace torrance

@@ -10,9 +10,9 @@ namespace torrance {
 namespace {
 
 /// Of a scene and its methods, and nothing that the window changes.
-constexpr std::array kLasting = {"--primitive",  "--scene",     "--allow-external",      "--light-radius",
-                                 "--light",      "--quirk",     "--parameter",           "--material",
-                                 "--base-color", "--metallic",  "--roughness",           "--maps",
+constexpr std::array kLasting = {"--primitive",  "--scene",         "--allow-external",     "--light-radius",
+                                 "--light",      "--quirk",         "--parameter",          "--material",
+                                 "--base-color", "--metallic",      "--roughness",          "--maps",
                                  "--view-light", "--light-samples", "--environment-samples"};
 
 } // namespace
@@ -29,7 +29,7 @@ void declareWindowOptions(CLI::App& app, WindowOptions& o)
     declareLightOptions(app, o.light);
     declareViewOptions(app, o.view);
     declareDeviceOption(app, o.device);
-    app.add_flag("--watch", o.watch, "Read the scene again when its file changes")->group("Window");
+    app.add_flag("--watch", o.watch, "Read the scene and the shaders again when they change")->group("Window");
     app.add_flag("--validation", o.validation,
                  "Turn Vulkan's validation layer on; the exit code is 1 where it had something to say")
         ->group("Window");

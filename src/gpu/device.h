@@ -20,7 +20,8 @@ struct DeviceOptions
     std::string choice;
     /// Validation and synchronization validation; a missing layer is an Error (noDevice).
     bool validation = false;
-    /// Instance extensions of the window system, for a device whose pictures are shown in a window; empty: they are not.
+    /// Instance extensions of the window system, for a device whose pictures are shown in a window; empty: they are
+    /// not.
     std::vector<std::string> windowExtensions = {};
 };
 

@@ -38,8 +38,7 @@ Swapchain::Swapchain(const Device& d, vk::raii::SurfaceKHR s) : device(d), surfa
     surfaceFormat = chooseFormat(device, surface);
     for (Frame& frame : frames) {
         frame.acquired = vk::raii::Semaphore(device.handle, vk::SemaphoreCreateInfo{});
-        frame.done =
-            vk::raii::Fence(device.handle, vk::FenceCreateInfo{.flags = vk::FenceCreateFlagBits::eSignaled});
+        frame.done = vk::raii::Fence(device.handle, vk::FenceCreateInfo{.flags = vk::FenceCreateFlagBits::eSignaled});
         device.name(frame.acquired, "window picture acquired");
         device.name(frame.done, "window picture drawn");
     }
@@ -126,7 +125,8 @@ bool Swapchain::show(const DeviceImage& picture, const Record& record)
     frame.commands.emplace(device);
     frame.keep = record(*frame.commands);
     // The semaphore of the acquired picture is waited for before the copy, and so before the change of layout.
-    histories[index] = {.writeStages = vk::PipelineStageFlagBits2::eCopy};
+    histories[index] = {};
+    histories[index].writeStages = vk::PipelineStageFlagBits2::eCopy;
     const auto useTarget = [&](Access access, bool discard) {
         return ImageUse{images[index], vk::ImageAspectFlagBits::eColor, &histories[index], access, discard};
     };

@@ -1,5 +1,5 @@
-// The pictures that a window shows, one after the other: each is copied from one of ours, so that what is shown can also
-// be read.
+// The pictures that a window shows, one after the other: each is copied from one of ours, so that what is shown can
+// also be read.
 #pragma once
 
 #include "gpu/commands.h"
@@ -11,7 +11,8 @@
 
 namespace torrance::gpu {
 
-/// Work that the device may have begun before the oldest must have ended: while a picture is shown, the next is recorded.
+/// Work that the device may have begun before the oldest must have ended: while a picture is shown, the next is
+/// recorded.
 inline constexpr std::size_t kFramesInFlight = 2;
 
 class Swapchain
@@ -26,8 +27,8 @@ public:
     /// Of 8-bit codes, in the order of channels that the surface has: B8G8R8A8 or R8G8B8A8.
     vk::Format format() const { return surfaceFormat.format; }
 
-    /// The size of the next picture. Where the window system leaves it to us it is `wanted`. Nothing where the window has
-    /// no area (minimised): there is nothing to draw for.
+    /// The size of the next picture. Where the window system leaves it to us it is `wanted`. Nothing where the window
+    /// has no area (minimised): there is nothing to draw for.
     std::optional<vk::Extent2D> prepare(const vk::Extent2D& wanted);
 
     /// Records the drawing of a picture; returns what is kept until the device has done with it.

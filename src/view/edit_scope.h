@@ -1,4 +1,5 @@
-// Changes of one panel in one picture of the window: a preview while something is dragged, a step of undo when it is let go.
+// Changes of one panel in one picture of the window: a preview while something is dragged, a step of undo when it is
+// let go.
 #pragma once
 
 #include "view/viewer_state.h"

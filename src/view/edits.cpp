@@ -26,6 +26,17 @@ void applyEdits(const Edits& edits, Scene& scene)
     }
 }
 
+Material withTexturesOf(const Material& textures, const Material& factors)
+{
+    Material result = factors;
+    for (const auto role : {&Material::baseColor, &Material::metallicRoughness, &Material::normal, &Material::occlusion,
+                            &Material::emissive})
+        result.*role = textures.*role;
+    result.normalScale = textures.normalScale;
+    result.occlusionStrength = textures.occlusionStrength;
+    return result;
+}
+
 void EditHistory::commit(Edits edits)
 {
     previewed.reset();

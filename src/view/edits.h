@@ -39,6 +39,9 @@ Edits editsOf(const Scene& scene, const EnvironmentChoice& environment);
 /// one.
 void applyEdits(const Edits& edits, Scene& scene);
 
+/// The factors, modes and name of `factors` with the textures of `textures`, and what belongs to these.
+Material withTexturesOf(const Material& textures, const Material& factors);
+
 /// The states before the present one, and those that were gone back from.
 class EditHistory
 {

@@ -11,8 +11,8 @@ namespace torrance {
 class FileBrowser
 {
 public:
-    /// Shows the files of `folder` that end in one of `endings` (lower case, with the dot; none: all). `chosen` is called
-    /// with what was picked or, where `saves`, typed.
+    /// Shows the files of `folder` that end in one of `endings` (lower case, with the dot; none: all). `chosen` is
+    /// called with what was picked or, where `saves`, typed.
     struct Question
     {
         std::string title;

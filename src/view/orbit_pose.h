@@ -26,9 +26,9 @@ inline constexpr double kNearestRadius = 1e-5, kFarthestRadius = 1e4;
 
 Camera cameraOf(const OrbitPose& pose, const Scene& scene);
 
-/// The pose that has a camera's place and line of sight, and its roll where `up` can hold it; its target is the point of
-/// that line nearest to `pivot`, or one unit away where that lies behind the camera. An orthographic camera becomes the
-/// perspective one that sees as much at the target.
+/// The pose that has a camera's place and line of sight, and its roll where `up` can hold it; its target is the point
+/// of that line nearest to `pivot`, or one unit away where that lies behind the camera. An orthographic camera becomes
+/// the perspective one that sees as much at the target.
 OrbitPose poseOf(const Camera& camera, const dvec3& pivot);
 
 /// Turns about the target, degrees; phi stops at the poles.

@@ -44,10 +44,23 @@ PanelLibrary::PanelLibrary(Window& w) : window(w)
     io.Fonts->AddFontDefault(&font);
     setStyle(window.scale());
     ImGui_ImplGlfw_InitForVulkan(window.handle, false); // the keyboard's events go through a list of ours
-    glfwSetWindowFocusCallback(window.handle, ImGui_ImplGlfw_WindowFocusCallback);
+    // The window's own callbacks hear first.
+    static GLFWwindowfocusfun focus = nullptr;
+    static GLFWmousebuttonfun button = nullptr;
+    static GLFWscrollfun scroll = nullptr;
+    focus = glfwSetWindowFocusCallback(window.handle, [](GLFWwindow* handle, int focused) {
+        focus(handle, focused);
+        ImGui_ImplGlfw_WindowFocusCallback(handle, focused);
+    });
+    button = glfwSetMouseButtonCallback(window.handle, [](GLFWwindow* handle, int which, int action, int modifiers) {
+        button(handle, which, action, modifiers);
+        ImGui_ImplGlfw_MouseButtonCallback(handle, which, action, modifiers);
+    });
+    scroll = glfwSetScrollCallback(window.handle, [](GLFWwindow* handle, double x, double y) {
+        scroll(handle, x, y);
+        ImGui_ImplGlfw_ScrollCallback(handle, x, y);
+    });
     glfwSetCursorEnterCallback(window.handle, ImGui_ImplGlfw_CursorEnterCallback);
-    glfwSetMouseButtonCallback(window.handle, ImGui_ImplGlfw_MouseButtonCallback);
-    glfwSetScrollCallback(window.handle, ImGui_ImplGlfw_ScrollCallback);
 }
 
 PanelLibrary::~PanelLibrary()

@@ -167,9 +167,28 @@ void drawButtons(const PanelContext& context, EditScope& edit)
         edit.finish();
     }
     context.mark("material.duplicate");
+    ImGui::SameLine();
+    if (ImGui::Button("To a file"))
+        context.browser.ask({.title = "Save the material",
+                             .endings = {".gltf"},
+                             .saves = true,
+                             .name = "material.gltf",
+                             .chosen = [&state, material = state.selectedMaterial](const std::filesystem::path& path) {
+                                 state.requests.push_back(SaveMaterial{path.string(), material});
+                             }});
+    context.mark("material.toFile");
+    ImGui::SameLine();
+    if (ImGui::Button("From a file"))
+        context.browser.ask({.title = "Take over a material; textures are kept",
+                             .endings = {".gltf", ".glb"},
+                             .saves = false,
+                             .name = {},
+                             .chosen = [&state, material = state.selectedMaterial](const std::filesystem::path& path) {
+                                 state.requests.push_back(OpenMaterial{path.string(), material});
+                             }});
+    context.mark("material.fromFile");
     if (state.selectedInstance < 0)
         return;
-    ImGui::SameLine();
     const Instance& instance = state.scene->scene().instances[static_cast<std::size_t>(state.selectedInstance)];
     int& place = edit.edits.primitiveMaterials[static_cast<std::size_t>(instance.primitive)];
     if (place == state.selectedMaterial)

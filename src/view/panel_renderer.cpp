@@ -14,20 +14,18 @@ namespace {
 gpu::Pipeline makePanelPipeline(const gpu::Device& device, gpu::ShaderLibrary& shaders, vk::Format format)
 {
     constexpr auto kStride = static_cast<std::uint32_t>(sizeof(ImDrawVert));
-    return gpu::makePipeline(
-        device, shaders.get("passes/panels.vert", ""), shaders.get("passes/panels.frag", ""),
-        {.name = "panels",
-         .streams = {{.location = 0, .format = vk::Format::eR32G32Sfloat, .stride = kStride},
-                     {.location = 1, .format = vk::Format::eR32G32Sfloat, .stride = kStride},
-                     {.location = 2, .format = vk::Format::eR8G8B8A8Unorm, .stride = kStride}},
-         .colorFormats = {format},
-         .blend = gpu::Blend::premultiplied});
+    return gpu::makePipeline(device, shaders.get("passes/panels.vert", ""), shaders.get("passes/panels.frag", ""),
+                             {.name = "panels",
+                              .streams = {{.location = 0, .format = vk::Format::eR32G32Sfloat, .stride = kStride},
+                                          {.location = 1, .format = vk::Format::eR32G32Sfloat, .stride = kStride},
+                                          {.location = 2, .format = vk::Format::eR8G8B8A8Unorm, .stride = kStride}},
+                              .colorFormats = {format},
+                              .blend = gpu::Blend::premultiplied});
 }
 
 vk::raii::Sampler makePanelSampler(const gpu::Device& device)
 {
-    return makeSampler(device,
-                       {.wrapS = Wrap::clampToEdge, .wrapT = Wrap::clampToEdge, .mip = MipFilter::none}, 0.0f);
+    return makeSampler(device, {.wrapS = Wrap::clampToEdge, .wrapT = Wrap::clampToEdge, .mip = MipFilter::none}, 0.0f);
 }
 
 const gpu::DeviceImage& pictureOf(const ImDrawCmd& command)
@@ -67,14 +65,15 @@ std::optional<vk::Rect2D> scissorOf(const ImDrawCmd& command, const ImDrawData& 
 
 } // namespace
 
-gpu::DeviceImage uploadPanelPicture(const gpu::Device& device, int width, int height,
-                                    std::span<const std::byte> codes, const char* name)
+gpu::DeviceImage uploadPanelPicture(const gpu::Device& device, int width, int height, std::span<const std::byte> codes,
+                                    const char* name)
 {
-    gpu::DeviceImage image = gpu::makeImage(device,
-                                            {.width = static_cast<std::uint32_t>(width),
-                                             .height = static_cast<std::uint32_t>(height),
-                                             .format = vk::Format::eR8G8B8A8Unorm},
-                                            vk::ImageUsageFlagBits::eSampled | vk::ImageUsageFlagBits::eTransferDst, name);
+    gpu::DeviceImage image =
+        gpu::makeImage(device,
+                       {.width = static_cast<std::uint32_t>(width),
+                        .height = static_cast<std::uint32_t>(height),
+                        .format = vk::Format::eR8G8B8A8Unorm},
+                       vk::ImageUsageFlagBits::eSampled | vk::ImageUsageFlagBits::eTransferDst, name);
     const gpu::Buffer staging = gpu::makeBuffer(device, codes, vk::BufferUsageFlagBits::eTransferSrc, name);
     gpu::Commands commands(device);
     gpu::copyToImage(commands, staging, image, 4);

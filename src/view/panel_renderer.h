@@ -1,4 +1,5 @@
-// Draws Dear ImGui's lists of triangles: its own renderer of 1.86 knows neither pictures in panels nor dynamic rendering.
+// Draws Dear ImGui's lists of triangles: its own renderer of 1.86 knows neither pictures in panels nor dynamic
+// rendering.
 #pragma once
 
 #include "gpu/commands.h"
@@ -24,8 +25,8 @@ public:
     /// Notes what the lists sample. Before the rendering in which they are drawn.
     void use(gpu::Commands& commands, const ImDrawData& data) const;
 
-    /// Inside a rendering of such a target. An ImTextureID is the address of a gpu::DeviceImage, 4 channels with straight
-    /// alpha. Buffers that must be kept until the commands have run are added to `keep`.
+    /// Inside a rendering of such a target. An ImTextureID is the address of a gpu::DeviceImage, 4 channels with
+    /// straight alpha. Buffers that must be kept until the commands have run are added to `keep`.
     void draw(gpu::Commands& commands, const ImDrawData& data, std::vector<gpu::Buffer>& keep) const;
 
 private:
@@ -36,7 +37,7 @@ private:
 };
 
 /// A picture of 8-bit codes with straight alpha, to be shown in panels.
-gpu::DeviceImage uploadPanelPicture(const gpu::Device& device, int width, int height,
-                                    std::span<const std::byte> codes, const char* name);
+gpu::DeviceImage uploadPanelPicture(const gpu::Device& device, int width, int height, std::span<const std::byte> codes,
+                                    const char* name);
 
 } // namespace torrance

@@ -46,7 +46,8 @@ std::vector<ProbedTerm> probeTerms(const gpu::Device& device, gpu::ShaderLibrary
 {
     std::vector<ProbedTerm> terms;
     for (const Slot slot : {Slot::distribution, Slot::visibility, Slot::fresnel, Slot::diffuse, Slot::diffuseWeight,
-                            Slot::multipleScattering, Slot::model}) {
+                            Slot::multipleScattering, Slot::model})
+    {
         const brdf::Method* method = preset[slot];
         if (!method)
             continue; // the model has a term of its own

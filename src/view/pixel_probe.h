@@ -27,18 +27,19 @@ struct ProbedTerm
 struct PixelProbe
 {
     ivec2 pixel = ivec2(0);
-    dvec3 drawn = dvec3(0.0);   // scene-linear, premultiplied
-    dvec3 exact = dvec3(0.0);   // the model that was asked for, integrated exactly
-    Bounded error;              // relative: DESIGN's error of a pixel, with the 95 % interval of the truth
-    PixelCause cause;           // where the error is more than the truth's noise
-    std::string material;       // of the nearest surface
+    dvec3 drawn = dvec3(0.0); // scene-linear, premultiplied
+    dvec3 exact = dvec3(0.0); // the model that was asked for, integrated exactly
+    Bounded error;            // relative: DESIGN's error of a pixel, with the 95 % interval of the truth
+    PixelCause cause;         // where the error is more than the truth's noise
+    std::string material;     // of the nearest surface
     MaterialPoint surface;
     double NoV = 0.0;
-    std::string light;          // from where the terms are lit
+    std::string light; // from where the terms are lit
     std::vector<ProbedTerm> terms;
 };
 
-/// Directions of the exact integral, for each light that is no point: at them a pixel under a panorama is known to about 1 %.
+/// Directions of the exact integral, for each light that is no point: at them a pixel under a panorama is known to
+/// about 1 %.
 inline constexpr int kProbeDirections = 4096;
 
 /// Nothing where the pixel's centre sees no surface. `drawn` is the picture, drawn with these settings. Throws Error

@@ -9,7 +9,7 @@ namespace torrance {
 
 struct RenderCommand
 {
-    std::string text;             // for a shell, on one line
+    std::string text;              // for a shell, on one line
     std::vector<std::string> lost; // what no option says: changes that must be saved to a file first
 };
 

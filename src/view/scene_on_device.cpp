@@ -41,7 +41,8 @@ void replan(Renderer& renderer, SceneOnDevice& scene, const Settings& settings)
     }
 }
 
-std::optional<Picked> pick(const SceneOnDevice& scene, const Camera& camera, const ivec2& pictureSize, double x, double y)
+std::optional<Picked> pick(const SceneOnDevice& scene, const Camera& camera, const ivec2& pictureSize, double x,
+                           double y)
 {
     Ray ray = primaryRay(camera, pictureSize.x, pictureSize.y, x, y);
     ray.origin += cameraPosition(camera) - scene.rayOrigin;

@@ -46,14 +46,15 @@ std::unique_ptr<SceneOnDevice> putOnDevice(Renderer& renderer, LoadedScene loade
 /// Plans the scene again, after it or the settings were changed. Throws Error, and the old plan stays.
 void replan(Renderer& renderer, SceneOnDevice& scene, const Settings& settings);
 
-/// The nearest surface under a pixel of a picture (in pixels from its top left); nothing where there is none. The holes of
-/// alpha masks count as surface.
+/// The nearest surface under a pixel of a picture (in pixels from its top left); nothing where there is none. The holes
+/// of alpha masks count as surface.
 struct Picked
 {
     int instance = -1; // Scene::instances, or -1
     int shape = -1;    // Scene::shapes, or -1
     dvec3 position = dvec3(0.0);
 };
-std::optional<Picked> pick(const SceneOnDevice& scene, const Camera& camera, const ivec2& pictureSize, double x, double y);
+std::optional<Picked> pick(const SceneOnDevice& scene, const Camera& camera, const ivec2& pictureSize, double x,
+                           double y);
 
 } // namespace torrance

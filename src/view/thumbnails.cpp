@@ -54,7 +54,8 @@ const gpu::DeviceImage* Thumbnails::get(const Scene& scene, int index)
     const int longer = std::max(image.width, image.height);
     const int width = std::max(image.width * kSide / longer, 1), height = std::max(image.height * kSide / longer, 1);
     const std::vector<std::uint8_t> codes = shrunk(image, width, height);
-    return &pictures.emplace(index, uploadPanelPicture(device, width, height, std::as_bytes(std::span(codes)), "thumbnail"))
+    return &pictures
+                .emplace(index, uploadPanelPicture(device, width, height, std::as_bytes(std::span(codes)), "thumbnail"))
                 .first->second;
 }
 

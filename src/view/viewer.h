@@ -13,11 +13,15 @@
 #include "view/watched_file.h"
 #include "view/window.h"
 
+#include <functional>
 #include <memory>
 #include <optional>
 #include <string>
 
 namespace torrance {
+
+/// Pictures of the window after something has happened: panels lay themselves out in the second.
+inline constexpr int kSettlingPictures = 2;
 
 class Viewer
 {
@@ -66,6 +70,8 @@ private:
     void handle(const OpenPicture& request);
     void handle(const SaveTurntable& request);
     void handle(const OpenTexture& request);
+    void handle(const SaveMaterial& request);
+    void handle(const OpenMaterial& request);
     void handle(const ReloadShaders& request);
     void handle(const CopyCommand& request);
     void handle(const Quit& request);
@@ -102,8 +108,7 @@ private:
     void showPicture();
     void report();
 
-    template <typename Work>
-    void attempt(Work work); // an Error becomes state.error
+    void attempt(const std::function<void()>& work); // an Error becomes state.error
 
     ViewerHost host;
     Window window;
@@ -145,10 +150,11 @@ private:
     DisplayPlace shownTerm;                // how the numbers of a term are shown
     BackgroundTask<OpenedScene> sceneTask; // with a scene on the device, too
     BackgroundTask<OpenedEnvironment> environmentTask;
-    std::optional<OpenScene> openNext; // after the one that is being opened
+    std::optional<OpenScene> openNext;         // after the one that is being opened
+    std::optional<WatchedFile> watchedShaders; // with --watch
     std::vector<WatchedFile> watched;
-    vec2 pressedAt = vec2(0.0f);
-    static constexpr float kLampRadius = 5.0f; // pixels, of the mark that a lamp is taken by
+    vec2 pressedAt = vec2(0.0f), lastPlace = vec2(0.0f); // of the arrow, in the window's pixels
+    static constexpr float kLampRadius = 5.0f;           // pixels, of the mark that a lamp is taken by
     int draggedLamp = -1;
     bool dragging = false, draggedFar = false; // since a button was pressed in the picture
     int settling = 0; // pictures of the window still to be made: panels take two to come to rest

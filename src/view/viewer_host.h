@@ -41,7 +41,7 @@ struct ViewerHost
     ivec2 windowSize = {1280, 800};
     std::string deviceChoice;
     bool validation = false;
-    bool watch = false;                 // files that change are read again
+    bool watch = false;                 // scene and shaders are read again when they change
     std::filesystem::path cacheFolder;  // empty: none
     std::filesystem::path configFolder; // of settings that are kept; empty: none are
     std::filesystem::path shaderFolder;

@@ -85,16 +85,17 @@ void Viewer::handleMouse()
     if (!io.WantCaptureMouse)
         for (const int button : {0, 1, 2})
             if (ImGui::IsMouseClicked(button)) {
-                pressedAt = place;
+                pressedAt = lastPlace = window.pressPlaces[static_cast<std::size_t>(button)] * scale;
                 dragging = true;
-                draggedLamp = button == 0 ? lampAt(place) : -1;
+                draggedLamp = button == 0 ? lampAt(pressedAt) : -1;
             }
     if (dragging) {
-        const vec2 moved = vec2(io.MouseDelta.x, io.MouseDelta.y) * scale / float(area.size.y);
+        const vec2 moved = (place - lastPlace) / float(area.size.y);
         const bool farEnough = glm::length(place - pressedAt) > kClickPixels || draggedFar;
         draggedFar |= farEnough;
         const bool left = ImGui::IsMouseDown(0), pans = ImGui::IsMouseDown(1) || ImGui::IsMouseDown(2) || io.KeyCtrl;
         if (farEnough && moved != vec2(0.0f)) {
+            lastPlace = place;
             if (left && draggedLamp >= 0)
                 moveLamp(moved * float(area.size.y));
             else if (left && io.KeyShift)
@@ -106,7 +107,7 @@ void Viewer::handleMouse()
         }
         if (!left && !ImGui::IsMouseDown(1) && !ImGui::IsMouseDown(2)) {
             if (!draggedFar && ImGui::IsMouseReleased(0))
-                pickAt(place, false);
+                pickAt(pressedAt, false);
             state.history->commit(state.edits()); // of the environment's rotation, or of a lamp's place
             dragging = draggedFar = false;
             draggedLamp = -1;

@@ -15,7 +15,8 @@ struct PictureArea
     ivec2 size;
 };
 
-std::string viewerReport(const ViewerState& state, const ViewerHost& host, const Places& places, const PictureArea& area);
+std::string viewerReport(const ViewerState& state, const ViewerHost& host, const Places& places,
+                         const PictureArea& area);
 
 /// To a file, whole or not at all.
 void writeReport(const std::string& file, const std::string& text);

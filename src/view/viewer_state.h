@@ -72,6 +72,17 @@ struct OpenTexture
     int material = 0;
     TextureUse Material::*role = nullptr;
 };
+/// One material to or from a file of its own, without textures.
+struct SaveMaterial
+{
+    std::string file;
+    int material = 0;
+};
+struct OpenMaterial
+{
+    std::string file;
+    int material = 0;
+};
 struct ReloadShaders
 {
 };
@@ -83,7 +94,7 @@ struct Quit
     bool discards = false; // changes that were not saved
 };
 using Request = std::variant<OpenScene, OpenEnvironment, SavePicture, SaveScene, KeepPicture, OpenPicture,
-                             SaveTurntable, OpenTexture, ReloadShaders, CopyCommand, Quit>;
+                             SaveTurntable, OpenTexture, SaveMaterial, OpenMaterial, ReloadShaders, CopyCommand, Quit>;
 
 /// Panoramas are environments, anything else is a scene.
 inline Request openingOf(const std::filesystem::path& file)

@@ -37,16 +37,32 @@ Window::Window(const std::string& title, const ivec2& size)
     }
     glfwSetWindowUserPointer(handle, this);
     glfwSetKeyCallback(handle, [](GLFWwindow* window, int key, int scancode, int action, int modifiers) {
-        static_cast<Window*>(glfwGetWindowUserPointer(window))
-            ->keyEvents.push_back({.key = key, .scancode = scancode, .action = action, .modifiers = modifiers});
+        of(window).keyEvents.push_back({.key = key, .scancode = scancode, .action = action, .modifiers = modifiers});
     });
     glfwSetCharCallback(handle, [](GLFWwindow* window, unsigned character) {
-        static_cast<Window*>(glfwGetWindowUserPointer(window))->keyEvents.push_back({.character = character});
+        of(window).keyEvents.push_back({.character = character});
     });
+    glfwSetCursorPosCallback(
+        handle, [](GLFWwindow* window, double x, double y) { of(window).arrow = vec2(float(x), float(y)); });
+    glfwSetMouseButtonCallback(handle, [](GLFWwindow* window, int button, int action, int) {
+        Window& self = of(window);
+        if (action == GLFW_PRESS && button < int(self.pressPlaces.size()))
+            self.pressPlaces[static_cast<std::size_t>(button)] = self.arrow;
+    });
+    glfwSetScrollCallback(handle, [](GLFWwindow* window, double, double) { of(window); });
+    glfwSetWindowFocusCallback(handle, [](GLFWwindow* window, int) { of(window); });
+    glfwSetWindowRefreshCallback(handle, [](GLFWwindow* window) { of(window); });
     glfwSetDropCallback(handle, [](GLFWwindow* window, int count, const char** paths) {
-        auto& self = *static_cast<Window*>(glfwGetWindowUserPointer(window));
+        Window& self = of(window);
         self.dropped.insert(self.dropped.end(), paths, paths + count);
     });
+}
+
+Window& Window::of(GLFWwindow* window)
+{
+    Window& self = *static_cast<Window*>(glfwGetWindowUserPointer(window));
+    self.active = true;
+    return self;
 }
 
 Window::~Window()

@@ -4,9 +4,11 @@
 #include "gpu/device.h"
 #include "math/vector.h"
 
+#include <array>
 #include <deque>
 #include <filesystem>
 #include <string>
+#include <utility>
 #include <vector>
 
 struct GLFWwindow;
@@ -52,6 +54,14 @@ public:
     };
     std::deque<KeyEvent> keyEvents;
 
+    /// Whether something has happened since the last call.
+    bool takeActivity() { return std::exchange(active, false); }
+
+    /// Where the arrow was when a button was pressed last, in the window's coordinates: by the time a picture is made
+    /// it may be somewhere else.
+    std::array<vec2, 3> pressPlaces = {};
+    vec2 arrow = vec2(0.0f); // as of the last event
+
     /// Files that were dropped on the window since the last call.
     std::vector<std::filesystem::path> takeDropped();
     /// Whether it was asked to close since the last call.
@@ -60,6 +70,8 @@ public:
     GLFWwindow* handle = nullptr; // for Dear ImGui's half of GLFW
 
 private:
+    static Window& of(GLFWwindow* window); // and something happens in it
+    bool active = true;
     std::vector<std::filesystem::path> dropped;
 };
 

@@ -10,7 +10,7 @@ cmake --install "$1" --prefix "$tree/first" >/dev/null
 mv "$tree/first" "$tree/moved here"
 cd "$tree/moved here"
 
-stray=$(find . -type f -not -path './bin/torrance' -not -path './lib/*torrance/torrance_openimageio.so' -not -path './share/torrance/shaders/*.glsl' -not -path './share/torrance/shaders/*.h' \
+stray=$(find . -type f -not -path './bin/torrance' -not -path './bin/torrance-view' -not -path './lib/*torrance/torrance_openimageio.so' -not -path './share/torrance/shaders/*.glsl' -not -path './share/torrance/shaders/*.h' \
     -not -path './share/torrance/shaders/*.vert' -not -path './share/torrance/shaders/*.frag' \
     -not -path './share/torrance/assets/demo/demo.gltf' -not -path './share/torrance/assets/demo/demo.bin' \
     -not -path './share/torrance/dfg_*.bin' -not -path './share/torrance/assets/demo/*.png' -not -path './share/torrance/assets/environments/*.hdr' \

@@ -7,6 +7,7 @@ import signal
 import subprocess
 import tempfile
 import time
+import zlib
 from pathlib import Path
 
 import pictures
@@ -92,13 +93,14 @@ class Window:
 
     def rest(self):
         """Waits until the window has drawn all that it wants to: its report and the screen stay what they are."""
-        last, end = None, time.monotonic() + PATIENCE
+        last, same, end = None, 0, time.monotonic() + PATIENCE
         while time.monotonic() < end:
-            now = (self.report_file.read_text(), zlib_of(self.screen.picture().codes))
-            if now == last:
+            now = (self.report_file.read_text(), zlib.crc32(self.screen.picture().codes))
+            same = same + 1 if now == last else 0
+            if same == 3:
                 return self.report()
             last = now
-            time.sleep(0.25)
+            time.sleep(0.2)
         raise AssertionError("the window does not come to rest")
 
     def key(self, *names):
@@ -114,11 +116,12 @@ class Window:
 
     def place(self, name):
         """The middle of something that the panels show."""
-        last = None
-        while True:  # what opens finds its place in its second picture
+        # What opens finds its place in its second picture, which may take its time.
+        opens = name.split(".")[0] in ("entry", "browser", "error", "close")
+        last, same = None, 0
+        while same < (3 if opens else 1):
             now = self.wait_for(lambda r: name in r["places"], f"{name} to be there")["places"][name]
-            if now == last:
-                break
+            same = same + 1 if now == last else 0
             last = now
             time.sleep(0.15)
         left, top, right, bottom = now
@@ -168,8 +171,3 @@ class Window:
             self.process.kill()
             self.process.wait()
         self.errors.close()
-
-
-def zlib_of(codes):
-    import zlib
-    return zlib.crc32(codes)

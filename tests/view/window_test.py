@@ -39,10 +39,11 @@ class WindowTest(unittest.TestCase):
         self.window = desktop.Window(PROGRAM, self.screen, [scene, "-r", "1000x700", *arguments], self.folder)
         return self.window.wait_open(scene)
 
-    def keep(self, name):
+    def keep(self, name, rests=True):
         """A screenshot, where one was asked for."""
         if PICTURES:
-            self.window.rest()
+            if rests:
+                self.window.rest()
             self.screen.picture().write(Path(PICTURES) / (name + ".png"))
 
     def leave(self):
@@ -171,7 +172,10 @@ class WindowTest(unittest.TestCase):
         before = window.wait_for(lambda r: len(r["lights"]) == 1, "a lamp")["lights"][0]
         self.assertGreater(window.shown().worst_difference(dark)[0], 20)
         window.key("7")  # from above, the whole scene: the lamp is somewhere in the picture or beside it
-        window.key("minus", "minus", "minus", "minus", "minus", "minus", "minus", "minus")
+        command = window.wait_for(lambda r: "--orbit=0,0" in r["command"], "the view from above")["command"]
+        for _ in range(8):
+            window.key("minus")
+            command = window.wait_for(lambda r: r["command"] != command, "the camera to go farther away")["command"]
         shown = window.shown()
         x, y, width, height = window.report()["picture"]
         # The lamp's mark is the one place of this colour.
@@ -232,7 +236,7 @@ class WindowTest(unittest.TestCase):
         self.assertLess(probe["error"], 0.5)
         window.click("method.errors")
         window.wait_for(lambda r: r.get("errors", {}).get("done", 0) > 0.002, "errors to be found")
-        self.keep("errors")
+        self.keep("errors", rests=False)
         self.leave()
 
     # What leaves it.
@@ -303,6 +307,25 @@ class WindowTest(unittest.TestCase):
         self.expect_as_rendered("saved")
         self.leave()
 
+    def test_material_file(self):
+        self.open()
+        window = self.window
+        window.click("section.Scene")
+        window.click("material.list.0")
+        window.click("material.toFile")
+        self.save_as(self.folder, "first.gltf")
+        report = window.wait_for(lambda r: r["notice"].startswith("saved"), "the material to be saved")
+        first = report["materials"][0]
+        self.assertNotEqual(first, report["materials"][1])
+        window.click("material.list.1")
+        window.click("material.fromFile")
+        window.click("browser.first.gltf")
+        report = window.wait_for(lambda r: r["can_undo"], "the material to be taken over")
+        self.assertEqual(report["materials"][1], first)
+        window.key("ctrl+z")
+        window.wait_for(lambda r: r["materials"][1] != first, "the material to be given back")
+        self.leave()
+
     def test_compare(self):
         self.open()
         window = self.window
@@ -361,6 +384,22 @@ class WindowTest(unittest.TestCase):
         window.key("r")
         window.wait_for(lambda r: r["drawn"] > drawn, "the old shader again")
         self.assertEqual(window.shown().worst_difference(good)[0], 0)
+        self.leave()
+
+    def test_watch_shaders(self):
+        data = self.folder / "data"
+        shutil.copytree(Path(PROGRAM).parent.parent / "share" / "torrance", data)
+        os.environ["TORRANCE_DATA"] = str(data)
+        self.addCleanup(os.environ.pop, "TORRANCE_DATA")
+        self.open("--path", "forward", "--watch")
+        window = self.window
+        good = window.shown()
+        shader = data / "shaders" / "passes" / "surface.frag"
+        text = shader.read_text()
+        at = text.rindex("}")
+        shader.write_text(text[:at] + "    outColor = vec4(1.0, 0.0, 0.0, 1.0);\n}\n")
+        window.wait_for(lambda r: r["notice"] == "shaders read again", "the changed shader")
+        self.assertGreater(window.shown().worst_difference(good)[0], 100)
         self.leave()
 
     def test_resize(self):

@@ -47,6 +47,22 @@ TEST(Edits, ReachTheSceneAndComeBack)
     EXPECT_EQ(editsOf(scene, edits.environment), edits);
 }
 
+TEST(Edits, AMaterialOfAFileKeepsTheTexturesThatAreThere)
+{
+    Material textured, pure;
+    textured.name = "old";
+    textured.normal.texture = 3;
+    textured.normalScale = 0.5;
+    textured.roughnessFactor = 0.1;
+    pure.name = "gold";
+    pure.roughnessFactor = 0.7;
+    const Material both = withTexturesOf(textured, pure);
+    EXPECT_EQ(both.name, "gold");
+    EXPECT_EQ(both.roughnessFactor, 0.7);
+    EXPECT_EQ(both.normal.texture, 3);
+    EXPECT_EQ(both.normalScale, 0.5);
+}
+
 TEST(EditHistory, GoesBackAndForth)
 {
     EditHistory history = historyOf(twoMaterials());

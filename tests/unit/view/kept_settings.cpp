@@ -12,7 +12,10 @@ class KeptSettings : public testing::Test
 protected:
     void SetUp() override { std::filesystem::remove_all(folder); }
     void TearDown() override { std::filesystem::remove_all(folder); }
-    std::filesystem::path folder = std::filesystem::path(testing::TempDir()) / "torrance_kept_settings";
+    // Of this test alone: others run beside it.
+    std::filesystem::path folder =
+        std::filesystem::path(testing::TempDir()) /
+        ("torrance_" + std::string(testing::UnitTest::GetInstance()->current_test_info()->name()));
 };
 
 TEST_F(KeptSettings, RecentFilesComeBackNewestFirst)

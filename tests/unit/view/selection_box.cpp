@@ -48,7 +48,8 @@ TEST(SelectionBox, LiesWhereTheCameraSeesTheCorners)
 
 TEST(SelectionBox, IsCutOffAtTheNearPlane)
 {
-    // The camera stands inside: the four edges of the back are whole, the four beside it are cut, the front is not seen.
+    // The camera stands inside: the four edges of the back are whole, the four beside it are cut, the front is not
+    // seen.
     const auto lines = selectionBox(boxOfHalfSize(1.0), 0, fromZ(0.0), {200, 200});
     EXPECT_EQ(lines.size(), 8u);
     for (const ScreenLine& line : lines)

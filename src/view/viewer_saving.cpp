@@ -1,0 +1,95 @@
+// What leaves the window: pictures, scenes, materials, commands.
+#include "view/viewer.h"
+
+#include "core/error.h"
+#include "files/material_file.h"
+#include "plan/pixel_sampling_plan.h"
+#include "view/render_command.h"
+#include "view/saved_scene.h"
+
+#include <filesystem>
+#include <fmt/format.h>
+#include <imgui.h>
+
+namespace torrance {
+
+Picture Viewer::renderForFile(const Camera& from)
+{
+    Settings settings = effectiveSettings();
+    settings.samples = shadesOncePerPixel(settings) ? settings.samples : state.fileSamples;
+    replan(renderer, *state.scene, settings);
+    state.changed = true; // back to one sample
+    return renderer.render(*state.scene->device, from);
+}
+
+void Viewer::handle(const SavePicture& request)
+{
+    if (!state.scene)
+        return;
+    imageFormatOf(request.file); // refuses what it does not know before anything is drawn
+    Picture picture = renderForFile(camera());
+    host.writePicture(request.file, std::move(picture), state.scene->plan.settings, state.write);
+    state.notice = "saved " + request.file;
+}
+
+void Viewer::handle(const SaveTurntable& request)
+{
+    if (!state.scene)
+        return;
+    imageFormatOf(request.file);
+    turntable = Turntable{.file = request.file, .pose = freeCamera(), .frames = state.turntableFrames};
+}
+
+void Viewer::stepTurntable()
+{
+    if (!turntable)
+        return;
+    OrbitPose pose = turntable->pose;
+    orbit(pose, 360.0 * turntable->next / turntable->frames, 0.0);
+    const std::filesystem::path file =
+        turntable->file.parent_path() / fmt::format("{}-{:03}{}", turntable->file.stem().string(), turntable->next,
+                                                    turntable->file.extension().string());
+    try {
+        Picture picture = renderForFile(cameraOf(pose, state.scene->scene()));
+        host.writePicture(file.string(), std::move(picture), state.scene->plan.settings, state.write);
+    } catch (const Error&) {
+        turntable.reset();
+        throw;
+    }
+    state.notice = fmt::format("saved {} ({} of {})", file.string(), turntable->next + 1, turntable->frames);
+    if (++turntable->next == turntable->frames)
+        turntable.reset();
+    settling = kSettlingPictures;
+}
+
+void Viewer::handle(const SaveScene& request)
+{
+    const bool overSource =
+        std::filesystem::weakly_canonical(request.file) == std::filesystem::weakly_canonical(state.scene->input);
+    host.saveScene(state.scene->input, sceneToSave(*state.history, state.scene->scene(), state.pictures), request.file);
+    state.history->markSaved();
+    state.notice = "saved " + request.file;
+    if (overSource) // what is edited from now on is an edit of the new file
+        state.requests.push_back(OpenScene{state.scene->input, true});
+}
+
+void Viewer::handle(const SaveMaterial& request)
+{
+    const Material& material = state.edits().materials.at(static_cast<std::size_t>(request.material));
+    state.notice = "saved " + request.file;
+    for (const std::string& left : saveMaterial(material, request.file))
+        state.notice += "; " + left;
+}
+
+void Viewer::handle(const CopyCommand&)
+{
+    if (!state.scene)
+        return;
+    const RenderCommand command = renderCommandOf(state, host);
+    ImGui::SetClipboardText(command.text.c_str());
+    state.notice = "copied the command";
+    for (const std::string& lost : command.lost)
+        state.notice += "; changed " + lost + " are not in it";
+}
+
+} // namespace torrance
