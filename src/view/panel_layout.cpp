@@ -1,4 +1,5 @@
 // The parts of the window that are always there: menu, column, status line.
+#include "plan/path_plan.h"
 #include "view/file_browser.h"
 #include "view/panels.h"
 #include "view/widgets.h"
@@ -94,21 +95,6 @@ void section(const PanelContext& context, const char* title, bool isOpen, void (
     ImGui::PopID();
 }
 
-std::string pathText(RenderPath path)
-{
-    switch (path) {
-    case RenderPath::forward:
-        return "forward";
-    case RenderPath::prepass:
-        return "prepass";
-    case RenderPath::attributes:
-        return "attributes";
-    case RenderPath::deferred:
-        return "deferred";
-    }
-    return {};
-}
-
 } // namespace
 
 void PanelContext::mark(const std::string& name) const
@@ -154,7 +140,7 @@ float drawStatus(const PanelContext& context)
         const ShadingPlan& plan = state.scene->plan;
         text = fmt::format("{:.0f} ms a picture   {} x {}   {} triangles   {} batches, {}   {}", state.frameMs,
                            plan.settings.width, plan.settings.height, state.scene->loaded.facts.triangles,
-                           plan.batches.size() + plan.blended.size(), pathText(plan.path), state.deviceName);
+                           plan.batches.size() + plan.blended.size(), nameOf(plan.path), state.deviceName);
     }
     ImGui::TextUnformatted(text.c_str());
     if (!state.notice.empty()) {

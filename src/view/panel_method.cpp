@@ -1,3 +1,4 @@
+#include "plan/path_plan.h"
 #include "plan/view.h"
 #include "view/panels.h"
 #include "view/widgets.h"
@@ -84,7 +85,11 @@ void choosePath(const PanelContext& context)
 {
     ViewerState& state = context.state;
     int chosen = state.settings.path ? static_cast<int>(*state.settings.path) + 1 : 0;
-    if (choose(context, "path", {"as the plan has it", "forward", "prepass", "attributes", "deferred"}, chosen)) {
+    std::vector<std::string> names = {"as the plan has it"};
+    for (const RenderPath path :
+         {RenderPath::forward, RenderPath::prepass, RenderPath::attributes, RenderPath::deferred})
+        names.emplace_back(nameOf(path));
+    if (choose(context, "path", names, chosen)) {
         state.settings.path = chosen == 0 ? std::nullopt : std::optional(static_cast<RenderPath>(chosen - 1));
         state.changed = true;
     }

@@ -2,6 +2,7 @@
 
 #include "brdf/slot_option.h"
 #include "image/tone_curves.h"
+#include "plan/path_plan.h"
 
 #include <filesystem>
 #include <fmt/format.h>
@@ -44,12 +45,6 @@ void addLight(const ViewerState& state, std::vector<std::string>& arguments)
         arguments.push_back(fmt::format("--environment-intensity={}", environment.intensity));
 }
 
-std::string pathName(RenderPath path)
-{
-    constexpr const char* kNames[] = {"forward", "prepass", "attributes", "deferred"};
-    return kNames[static_cast<int>(path)];
-}
-
 void addMethods(const Settings& settings, std::vector<std::string>& arguments)
 {
     const brdf::Preset& preset = *brdf::findPreset(settings.methods.id);
@@ -63,7 +58,7 @@ void addMethods(const Settings& settings, std::vector<std::string>& arguments)
             arguments.push_back(brdf::slotOption(slot) + "=" + std::string(method->id));
     }
     if (settings.path)
-        arguments.push_back("--path=" + pathName(*settings.path));
+        arguments.push_back(std::string("--path=") + nameOf(*settings.path));
     if (settings.view)
         arguments.push_back("--view=" + std::string(settings.view->id));
 }

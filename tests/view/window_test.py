@@ -353,16 +353,25 @@ class WindowTest(unittest.TestCase):
 
     # What happens to it.
 
-    def test_shader_reload(self):
+    def own_shaders(self):
+        """A copy of the program's data that the window reads instead; where its shaders lie."""
         data = self.folder / "data"
         shutil.copytree(Path(PROGRAM).parent.parent / "share" / "torrance", data)
         os.environ["TORRANCE_DATA"] = str(data)
         self.addCleanup(os.environ.pop, "TORRANCE_DATA")
+        return data / "shaders"
+
+    def red(self, text):
+        """The text of a shader that draws all in red."""
+        at = text.rindex("}")
+        return text[:at] + "    outColor = vec4(1.0, 0.0, 0.0, 1.0);\n}\n"
+
+    def test_shader_reload(self):
+        shader = self.own_shaders() / "passes" / "surface.frag"
+        text = shader.read_text()
         self.open("--path", "forward")
         window = self.window
         good = window.shown()
-        shader = data / "shaders" / "passes" / "surface.frag"
-        text = shader.read_text()
         shader.write_text(text.replace("void main()", "void main(", 1))
         window.key("r")
         report = window.wait_for(lambda r: r["error"], "the compiler's error")
@@ -372,8 +381,7 @@ class WindowTest(unittest.TestCase):
         window.click("error.close")
         window.wait_for(lambda r: not r["error"], "the error to go")
         self.assertEqual(window.shown().worst_difference(good)[0], 0, "the last good shader stays")
-        at = text.rindex("}")
-        shader.write_text(text[:at] + "    outColor = vec4(1.0, 0.0, 0.0, 1.0);\n}\n")
+        shader.write_text(self.red(text))
         window.key("r")
         window.wait_for(lambda r: r["notice"] == "shaders read again", "the new shader")
         red = window.shown()
@@ -387,17 +395,12 @@ class WindowTest(unittest.TestCase):
         self.leave()
 
     def test_watch_shaders(self):
-        data = self.folder / "data"
-        shutil.copytree(Path(PROGRAM).parent.parent / "share" / "torrance", data)
-        os.environ["TORRANCE_DATA"] = str(data)
-        self.addCleanup(os.environ.pop, "TORRANCE_DATA")
+        shader = self.own_shaders() / "passes" / "surface.frag"
+        text = shader.read_text()
         self.open("--path", "forward", "--watch")
         window = self.window
         good = window.shown()
-        shader = data / "shaders" / "passes" / "surface.frag"
-        text = shader.read_text()
-        at = text.rindex("}")
-        shader.write_text(text[:at] + "    outColor = vec4(1.0, 0.0, 0.0, 1.0);\n}\n")
+        shader.write_text(self.red(text))
         window.wait_for(lambda r: r["notice"] == "shaders read again", "the changed shader")
         self.assertGreater(window.shown().worst_difference(good)[0], 100)
         self.leave()
