@@ -74,14 +74,14 @@ void addPicture(const ViewerState& state, std::vector<std::string>& arguments)
     else if (settings.background == BackgroundKind::color)
         arguments.push_back(fmt::format("--background={},{},{}", settings.backgroundColor.x, settings.backgroundColor.y,
                                         settings.backgroundColor.z));
+    if (state.write.transfer->id != settings.methods.transfer)
+        arguments.push_back("--transfer=" + std::string(state.write.transfer->id));
     if (settings.view)
-        return; // a term has no curve
+        return; // a term has neither exposure nor tone curve
     if (state.write.exposure != 0.0)
         arguments.push_back(fmt::format("--exposure={}", state.write.exposure));
     if (state.write.tone->id != settings.methods.tone)
         arguments.push_back("--tone=" + std::string(state.write.tone->id));
-    if (state.write.transfer->id != settings.methods.transfer)
-        arguments.push_back("--transfer=" + std::string(state.write.transfer->id));
 }
 
 // A preset's own lamp comes with the preset.

@@ -72,10 +72,8 @@ Viewer::~Viewer()
 
 void Viewer::openFirst()
 {
-    if (host.firstFileCamera >= 0)
-        state.view = FileView{host.firstFileCamera};
     if (!host.inputs.empty())
-        state.requests.push_back(OpenScene{host.inputs.front(), host.firstFileCamera >= 0});
+        state.requests.push_back(OpenScene{host.inputs.front()});
 }
 
 void Viewer::run()

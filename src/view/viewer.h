@@ -80,6 +80,8 @@ private:
     asksFirst(const Request& request); // whether changes would be lost: then that is asked before `request` is done
     void show(OpenedScene opened);
     void show(OpenedEnvironment opened);
+    void chooseFirstCamera();
+    Material& chosenMaterial(Edits& edits, int material) const; // Error (usage) where it is gone
 
     void buildPanels();
     void handleMouse();
@@ -100,6 +102,7 @@ private:
     Picture renderForFile(const Camera& camera);
     void stepTurntable();
     void replanOrGoBack();
+    WriteSettings curves() const;
     DisplaySettings shownCurves() const;
     void surveyErrors();
     void showErrors();
@@ -159,7 +162,6 @@ private:
     bool dragging = false, draggedFar = false; // since a button was pressed in the picture
     int settling = 0; // pictures of the window still to be made: panels take two to come to rest
     std::string lastReport;
-    std::size_t picturesShown = 0;
 };
 
 } // namespace torrance

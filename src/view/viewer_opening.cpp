@@ -49,7 +49,9 @@ void Viewer::handle(const OpenScene& request)
     state.openingPart = kReading;
     state.cancelOpening = false;
     const bool first = !state.history;
-    const EnvironmentChoice choice = first ? host.environment : state.edits().environment;
+    EnvironmentChoice choice = first ? host.environment : state.edits().environment;
+    if (!first)
+        choice.name = state.environmentName; // another may have been chosen, and not be there yet
     std::optional<Environment> known;
     if (!first && state.scene->scene().environment)
         known = state.scene->scene().environment;
@@ -77,9 +79,6 @@ void Viewer::show(OpenedScene opened)
     const auto* file = std::get_if<FileView>(&state.view);
     if (!opened.keepsView || (file && file->index >= static_cast<int>(state.scene->scene().cameras.size())))
         state.view = FittedView{};
-    if (host.choosesCamera && picturesShown == 0)
-        state.view = poseOf(host.firstCamera(state.scene->scene(), double(area.size.x) / area.size.y),
-                            0.5 * (state.scene->bounds.min + state.scene->bounds.max));
     state.changed = true; // the window may have another size by now
     state.opening.clear();
     window.setTitle(state.scene->input + " - Torrance");
@@ -91,6 +90,23 @@ void Viewer::show(OpenedScene opened)
         if (host.watch)
             watched.emplace_back(state.scene->input);
     }
+    chooseFirstCamera();
+}
+
+// Of the first scene alone. An Error where the command line's options do not fit it: it is seen as a whole then.
+void Viewer::chooseFirstCamera()
+{
+    const bool chooses = std::exchange(host.choosesCamera, false);
+    const int index = std::exchange(host.firstFileCamera, -1);
+    if (!chooses && index < 0)
+        return;
+    const Camera chosen = host.firstCamera(state.scene->scene(), double(area.size.x) / area.size.y);
+    if (index >= 0) {
+        state.view = FileView{index};
+        return;
+    }
+    const Bounds& bounds = state.scene->bounds;
+    state.view = poseOf(chosen, bounds.empty ? dvec3(0.0) : 0.5 * (bounds.min + bounds.max));
 }
 
 void Viewer::handle(const OpenEnvironment& request)
@@ -130,10 +146,20 @@ void Viewer::show(OpenedEnvironment opened)
     state.changed = true;
 }
 
+// A file was chosen for it meanwhile, and the material may have been undone.
+Material& Viewer::chosenMaterial(Edits& edits, int material) const
+{
+    if (material < 0 || static_cast<std::size_t>(material) >= edits.materials.size())
+        throw usageError("the material is not there any more", "choose another");
+    return edits.materials[static_cast<std::size_t>(material)];
+}
+
 void Viewer::handle(const OpenTexture& request)
 {
     if (!state.scene)
         return;
+    Edits edits = state.history->now();
+    TextureUse& use = chosenMaterial(edits, request.material).*request.role;
     const std::vector<std::byte> bytes = readFile(request.file);
     TextureImage image = decodeTexture(bytes, std::filesystem::path(request.file).filename().string(), request.file);
     survey.stop(); // it reads the scene
@@ -141,8 +167,6 @@ void Viewer::handle(const OpenTexture& request)
     scene.images.push_back(std::move(image));
     scene.textures.push_back({.image = static_cast<int>(scene.images.size()) - 1, .sampler = {}});
     state.pictures.emplace_back(std::filesystem::absolute(request.file));
-    Edits edits = state.history->now();
-    TextureUse& use = edits.materials[static_cast<std::size_t>(request.material)].*request.role;
     use.texture = static_cast<int>(scene.textures.size()) - 1; // where it is put stays
     state.history->commit(std::move(edits));
     state.changed = true;
@@ -152,7 +176,7 @@ void Viewer::handle(const OpenMaterial& request)
 {
     const LoadedMaterial loaded = loadMaterial(request.file);
     Edits edits = state.history->now();
-    Material& material = edits.materials.at(static_cast<std::size_t>(request.material));
+    Material& material = chosenMaterial(edits, request.material);
     material = withTexturesOf(material, loaded.material);
     state.history->commit(std::move(edits));
     state.changed = true;

@@ -199,12 +199,21 @@ void Viewer::probeAt(const vec2& place)
         state.notice = "no surface is seen there";
 }
 
-// Of the picture that is drawn: a term has none.
+// Of the picture that is drawn: a term has neither exposure nor tone curve.
+WriteSettings Viewer::curves() const
+{
+    WriteSettings curves = state.write;
+    if (state.scene->plan.settings.view) {
+        curves.exposure = 0.0;
+        curves.tone = findToneCurve("none");
+    }
+    return curves;
+}
+
 DisplaySettings Viewer::shownCurves() const
 {
-    if (state.scene->plan.settings.view)
-        return {.tone = findToneCurve("none")};
-    return {.exposure = state.write.exposure, .tone = state.write.tone, .transfer = state.write.transfer};
+    const WriteSettings shown = curves();
+    return {.exposure = shown.exposure, .tone = shown.tone, .transfer = shown.transfer};
 }
 
 void Viewer::showPicture()
@@ -242,7 +251,6 @@ void Viewer::showPicture()
     };
     if (!swapchain.show(windowPicture, record))
         settling = kSettlingPictures; // the window has another size
-    ++picturesShown;
 }
 
 } // namespace torrance

@@ -28,7 +28,7 @@ void Viewer::handle(const SavePicture& request)
         return;
     imageFormatOf(request.file); // refuses what it does not know before anything is drawn
     Picture picture = renderForFile(camera());
-    host.writePicture(request.file, std::move(picture), state.scene->plan.settings, state.write);
+    host.writePicture(request.file, std::move(picture), state.scene->plan.settings, curves());
     state.notice = "saved " + request.file;
 }
 
@@ -51,7 +51,7 @@ void Viewer::stepTurntable()
                                                     turntable->file.extension().string());
     try {
         Picture picture = renderForFile(cameraOf(pose, state.scene->scene()));
-        host.writePicture(file.string(), std::move(picture), state.scene->plan.settings, state.write);
+        host.writePicture(file.string(), std::move(picture), state.scene->plan.settings, curves());
     } catch (const Error&) {
         turntable.reset();
         throw;
@@ -75,7 +75,8 @@ void Viewer::handle(const SaveScene& request)
 
 void Viewer::handle(const SaveMaterial& request)
 {
-    const Material& material = state.edits().materials.at(static_cast<std::size_t>(request.material));
+    Edits edits = state.history->now();
+    const Material& material = chosenMaterial(edits, request.material);
     state.notice = "saved " + request.file;
     for (const std::string& left : saveMaterial(material, request.file))
         state.notice += "; " + left;

@@ -30,12 +30,10 @@ std::optional<Environment> load(const EnvironmentChoice& choice, const brdf::Pre
                                  methods);
 }
 
-void write(const std::string& file, Picture picture, const Settings& settings, WriteSettings curves)
+void write(const std::string& file, Picture picture, const Settings& settings, const WriteSettings& curves)
 {
-    if (const View* view = settings.view) {
+    if (const View* view = settings.view)
         picture.color = showView(*view, picture.color, isSceneLinear(imageFormatOf(file))).picture;
-        curves = {.tone = findToneCurve("none")};
-    }
     writePicture(file, picture.color, {}, curves);
 }
 
