@@ -1,5 +1,7 @@
 #include "view/edits.h"
 
+#include <utility>
+
 namespace torrance {
 
 Edits editsOf(const Scene& scene, const EnvironmentChoice& environment)
@@ -49,24 +51,14 @@ void EditHistory::commit(Edits edits)
     present = std::move(edits);
 }
 
-void EditHistory::undo()
+// The last of `from` becomes the present state, and that the last of `to`.
+void EditHistory::step(std::deque<Edits>& from, std::deque<Edits>& to)
 {
     previewed.reset();
-    if (past.empty())
+    if (from.empty())
         return;
-    future.push_back(std::move(present));
-    present = std::move(past.back());
-    past.pop_back();
-}
-
-void EditHistory::redo()
-{
-    previewed.reset();
-    if (future.empty())
-        return;
-    past.push_back(std::move(present));
-    present = std::move(future.back());
-    future.pop_back();
+    to.push_back(std::exchange(present, std::move(from.back())));
+    from.pop_back();
 }
 
 bool EditHistory::isDirty() const

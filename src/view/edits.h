@@ -60,8 +60,8 @@ public:
 
     bool canUndo() const { return !past.empty(); }
     bool canRedo() const { return !future.empty(); }
-    void undo();
-    void redo();
+    void undo() { step(past, future); }
+    void redo() { step(future, past); }
 
     /// Materials or their places differ from what was loaded or saved last.
     bool isDirty() const;
@@ -70,6 +70,7 @@ public:
     const Edits& loaded() const { return asLoaded; }
 
 private:
+    void step(std::deque<Edits>& from, std::deque<Edits>& to);
     std::deque<Edits> past, future;
     std::optional<Edits> previewed;
     Edits present;

@@ -1,6 +1,7 @@
 #include "view/error_survey.h"
 
 #include "core/error.h"
+#include "measure/image_metrics.h"
 #include "reference/pixel_estimate.h"
 #include "study/certificate.h"
 #include "study/pixel_error.h"
@@ -16,7 +17,6 @@ namespace {
 
 constexpr int kFirstStride = 16;     // pixels between those that are looked at first
 constexpr double kNewsSeconds = 0.3; // between two that are announced
-constexpr int kDirections = 1024;    // of a pixel, as a certificate takes by default
 constexpr float kUncovered = std::numeric_limits<float>::quiet_NaN();
 
 // A pixel stands for the square of its stride until others are known.
@@ -70,7 +70,7 @@ void ErrorSurvey::run(const Scene& scene, const Camera& camera, const Settings& 
 {
     const ReferenceSettings exact = exactSettings(settings, {});
     const PixelEstimator estimator(scene, camera, exact);
-    const double floor = 0.01 * coveredMeanNorm(estimator, drawn); // of a pixel's error, as DESIGN has it
+    const double floor = kPixelFloor * coveredMeanNorm(estimator, drawn);
     double above = 0.0, below = 0.0, norms = 0.0, spread = 0.0;
     std::size_t looked = 0;
     auto lastNews = std::chrono::steady_clock::now();
@@ -85,8 +85,9 @@ void ErrorSurvey::run(const Scene& scene, const Camera& camera, const Settings& 
                 float error = kUncovered;
                 if (estimator.seenFrom(x, y)) {
                     const float* texel = drawn.at(x, y);
-                    const PixelError pixel = pixelError(dvec3(texel[0], texel[1], texel[2]),
-                                                        estimator.replicates(x, y, kDirections, exact.seed).colors);
+                    const PixelError pixel =
+                        pixelError(dvec3(texel[0], texel[1], texel[2]),
+                                   estimator.replicates(x, y, exact.directions, exact.seed).colors);
                     error = static_cast<float>(pixel.above / (pixel.norm + floor));
                     above += pixel.above;
                     below += pixel.below;

@@ -2,6 +2,7 @@
 
 #include "brdf/brdf.h"
 #include "brdf/lobe_albedo.h"
+#include "measure/image_metrics.h"
 #include "passes/probe_pass.h"
 #include "reference/pixel_estimate.h"
 #include "reference/punctual_light.h"
@@ -85,7 +86,7 @@ std::optional<PixelProbe> probePixel(const gpu::Device& device, gpu::ShaderLibra
     result.drawn = {texel[0], texel[1], texel[2]};
     const Replicates truth = estimator.replicates(pixel.x, pixel.y, kProbeDirections, exact.seed).colors;
     result.exact = truth.mean();
-    result.error = relativeError(pixelError(result.drawn, truth), 0.01 * coveredMeanNorm(estimator, drawn));
+    result.error = relativeError(pixelError(result.drawn, truth), kPixelFloor * coveredMeanNorm(estimator, drawn));
     if (result.error.low > 0.0)
         result.cause = pixelCause(estimator, settings, pixel.x, pixel.y, result.drawn, result.exact);
     result.surface = nearest.material;

@@ -38,8 +38,7 @@ struct PixelProbe
     std::vector<ProbedTerm> terms;
 };
 
-/// Directions of the exact integral, for each light that is no point: at them a pixel under a panorama is known to
-/// about 1 %.
+/// Directions of the exact integral, for each light that is no point: four times a certificate's, of one pixel.
 inline constexpr int kProbeDirections = 4096;
 
 /// Nothing where the pixel's centre sees no surface. `drawn` is the picture, drawn with these settings. Throws Error

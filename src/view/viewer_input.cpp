@@ -179,7 +179,8 @@ void Viewer::handleCameraKey(const KeyPress& press)
 void Viewer::frameAll()
 {
     FittedView fitted;
-    if (const auto* pose = std::get_if<OrbitPose>(&state.view))
+    const auto* pose = std::get_if<OrbitPose>(&state.view);
+    if (pose && pose->up == OrbitPose().up) // angles about another axis mean another direction
         fitted = {pose->theta, pose->phi};
     state.view = fitted;
     state.moved = true;

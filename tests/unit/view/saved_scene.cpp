@@ -15,7 +15,7 @@ struct Shown
     Shown() : scene(read()), history(editsOf(scene, {}))
     {
         for (const char* name : {"a", "b"}) {
-            scene.images.push_back({.name = name});
+            scene.images.emplace_back().name = name;
             scene.textures.push_back({.image = static_cast<int>(scene.images.size()) - 1, .sampler = {}});
         }
     }
@@ -24,7 +24,7 @@ struct Shown
         Scene scene;
         scene.materials.resize(1);
         scene.materials[0].baseColor.texture = 0;
-        scene.images.push_back({.name = "own"});
+        scene.images.emplace_back().name = "own";
         scene.textures.push_back({.image = 0, .sampler = {}});
         scene.primitives.resize(1);
         return scene;
