@@ -3,15 +3,13 @@
 #include "app/option_value.h"
 #include "core/error.h"
 #include "scene/camera_fit.h"
+#include "scene/default_view.h"
 
 #include <CLI/CLI.hpp>
 #include <cmath>
 
 namespace torrance {
 namespace {
-
-// The view that shows a thing best when nothing is known of it: from the right, a little from above.
-constexpr double kDefaultTheta = 30.0, kDefaultPhi = 75.0;
 
 dvec3 parseUp(const std::string& text)
 {
@@ -34,8 +32,6 @@ dvec3 parsePoint(const char* option, const std::string& text)
     const std::vector<double> v = parseNumbers(option, text, 3, 3);
     return {v[0], v[1], v[2]};
 }
-
-constexpr double kDefaultFov = 45.0, kDefaultMargin = 0.05;
 
 // Every option that would have no effect is refused: none is silently ignored.
 void checkTogether(const CameraOptions& o)

@@ -13,7 +13,7 @@
 namespace torrance {
 namespace {
 
-constexpr std::array kBuiltIn = {"studio", "sky", "furnace"};
+constexpr std::array<std::string_view, 3> kBuiltIn = {"studio", "sky", "furnace"};
 
 std::string fileOf(const std::string& name)
 {
@@ -23,6 +23,18 @@ std::string fileOf(const std::string& name)
 }
 
 } // namespace
+
+std::span<const std::string_view> builtInEnvironments()
+{
+    return kBuiltIn;
+}
+
+std::string environmentName(const EnvironmentOptions& options, const brdf::Preset& methods)
+{
+    if (!options.name.empty())
+        return options.name;
+    return brdf::isComposed(methods) ? "studio" : "none"; // sources bring a lamp
+}
 
 void declareEnvironmentOptions(CLI::App& app, EnvironmentOptions& options)
 {
@@ -38,8 +50,7 @@ void declareEnvironmentOptions(CLI::App& app, EnvironmentOptions& options)
 
 std::optional<Environment> loadChosenEnvironment(const EnvironmentOptions& options, const brdf::Preset& methods)
 {
-    const std::string byDefault = brdf::isComposed(methods) ? "studio" : "none"; // sources bring a lamp
-    const std::string& name = options.name.empty() ? byDefault : options.name;
+    const std::string name = environmentName(options, methods);
     if (!std::isfinite(options.rotation))
         throw usageError("--environment-rotation must be a number", "give degrees");
     if (!(options.intensity >= 0.0) || !std::isfinite(options.intensity))

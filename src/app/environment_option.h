@@ -5,7 +5,9 @@
 #include "scene/scene.h"
 
 #include <optional>
+#include <span>
 #include <string>
+#include <string_view>
 
 namespace CLI {
 class App;
@@ -22,8 +24,14 @@ struct EnvironmentOptions
 
 void declareEnvironmentOptions(CLI::App& app, EnvironmentOptions& options);
 
-/// Warnings of the file are logged. Nothing for "none". Where none is named: the studio, or nothing for a preset that
-/// defines no light from an environment.
+/// "studio", "sky" and "furnace": those that are named and not read from a file of the user's.
+std::span<const std::string_view> builtInEnvironments();
+
+/// The name that was given, or where none was: "studio", or "none" for a preset that defines no light from an
+/// environment.
+std::string environmentName(const EnvironmentOptions& options, const brdf::Preset& methods);
+
+/// Warnings of the file are logged. Nothing for "none". Of environmentName.
 std::optional<Environment> loadChosenEnvironment(const EnvironmentOptions& options, const brdf::Preset& methods);
 
 } // namespace torrance

@@ -19,8 +19,7 @@ constexpr std::array kNotOfThePicture = {"--output", "--tone",    "--transfer", 
 
 bool isBuiltInEnvironment(const std::string& name)
 {
-    constexpr std::array kNames = {"none", "studio", "sky", "furnace"};
-    return name.empty() || std::ranges::find(kNames, name) != kNames.end();
+    return name.empty() || name == "none" || std::ranges::count(builtInEnvironments(), name) > 0;
 }
 
 std::string seenFrom(const std::string& folder, const std::string& path)

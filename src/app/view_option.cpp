@@ -3,6 +3,7 @@
 #include "app/option_value.h"
 #include "core/error.h"
 #include "image/linear_scale.h"
+#include "plan/view_scale.h"
 
 #include <CLI/CLI.hpp>
 
@@ -41,11 +42,7 @@ ShownView showView(const View& view, const Image& drawn, bool sceneLinearFile)
 {
     if (sceneLinearFile)
         return {drawn, {}};
-    ViewScale scale;
-    if (view.scale)
-        scale = *view.scale;
-    else if (const double greatest = greatestValue(drawn); greatest > 0.0)
-        scale.factor = 1.0 / greatest;
+    const ViewScale scale = scaleOf(view, drawn);
     return {scaled(drawn, scale.factor, scale.offset), scale};
 }
 

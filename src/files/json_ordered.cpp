@@ -1,5 +1,6 @@
 #include "files/json_ordered.h"
 
+#include "files/json_events.h"
 #include "files/json_read.h"
 
 #include <algorithm>
@@ -10,20 +11,9 @@ namespace {
 
 /// Builds the tree without looking members up: an ordered object finds one by going through all of them, and a hostile
 /// text can have millions in one object.
-class OrderedBuilder : public nlohmann::json_sax<OrderedJson>
+class OrderedBuilder : public JsonEvents<OrderedJson>
 {
 public:
-    bool null() override { return add(nullptr); }
-    bool boolean(bool value) override { return add(value); }
-    bool number_integer(number_integer_t value) override { return add(value); }
-    bool number_unsigned(number_unsigned_t value) override { return add(value); }
-    bool number_float(number_float_t value, const string_t&) override { return add(value); }
-    bool string(string_t& value) override { return add(std::move(value)); }
-    bool binary(binary_t&) override { return false; } // not part of JSON text
-    bool start_object(std::size_t) override { return open(OrderedJson::object()); }
-    bool start_array(std::size_t) override { return open(OrderedJson::array()); }
-    bool end_object() override { return close(); }
-    bool end_array() override { return close(); }
     bool key(string_t& text) override
     {
         name = std::move(text);
@@ -48,19 +38,19 @@ private:
         return &members.emplace_back(std::move(name), std::move(value)).second;
     }
 
-    bool add(OrderedJson&& value)
+    bool add(OrderedJson&& value) override
     {
         place(std::move(value));
         return true;
     }
 
-    bool open(OrderedJson&& value)
+    bool open(OrderedJson&& value) override
     {
         levels.push_back(place(std::move(value)));
         return true;
     }
 
-    bool close()
+    bool close() override
     {
         levels.pop_back();
         return true;

@@ -1,8 +1,8 @@
 #include "files/json_read.h"
 
 #include "core/error.h"
+#include "files/json_events.h"
 
-#include <nlohmann/json.hpp>
 #include <vector>
 
 namespace torrance {
@@ -12,22 +12,10 @@ using nlohmann::json;
 
 /// Builds the tree from the parser's events. The parser keeps its own state in a bit array and does not recurse, so
 /// that a depth limit here is one everywhere.
-class TreeBuilder : public nlohmann::json_sax<json>
+class TreeBuilder : public JsonEvents<json>
 {
 public:
     TreeBuilder(const std::string& fileName, std::size_t mostValues) : file(fileName), most(mostValues) {}
-
-    bool null() override { return add(nullptr); }
-    bool boolean(bool value) override { return add(value); }
-    bool number_integer(number_integer_t value) override { return add(value); }
-    bool number_unsigned(number_unsigned_t value) override { return add(value); }
-    bool number_float(number_float_t value, const string_t&) override { return add(value); }
-    bool string(string_t& value) override { return add(std::move(value)); }
-    bool binary(binary_t&) override { return false; } // not part of JSON text
-    bool start_object(std::size_t) override { return open(json::object()); }
-    bool start_array(std::size_t) override { return open(json::array()); }
-    bool end_object() override { return close(); }
-    bool end_array() override { return close(); }
 
     bool key(string_t& name) override
     {
@@ -71,13 +59,13 @@ private:
         return &level.value->back();
     }
 
-    bool add(json&& value)
+    bool add(json&& value) override
     {
         place(std::move(value));
         return true;
     }
 
-    bool open(json&& value)
+    bool open(json&& value) override
     {
         if (levels.size() >= kMaxJsonDepth)
             throw inputError(file, path(), "is nested more than " + std::to_string(kMaxJsonDepth) + " deep",
@@ -87,7 +75,7 @@ private:
         return true;
     }
 
-    bool close()
+    bool close() override
     {
         levels.pop_back();
         return true;

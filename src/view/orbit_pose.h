@@ -3,6 +3,7 @@
 #pragma once
 
 #include "scene/camera_fit.h"
+#include "scene/default_view.h"
 
 #include <string>
 #include <vector>
@@ -12,12 +13,12 @@ namespace torrance {
 /// A camera on a sphere about what it looks at.
 struct OrbitPose
 {
-    double theta = 30.0; // degrees about `up` from the front, in [-180, 180)
-    double phi = 75.0;   // degrees from `up`, in [0, 180]
-    double radius = 1.0; // scene units, above 0
+    double theta = kDefaultTheta; // degrees about `up` from the front, in [-180, 180)
+    double phi = kDefaultPhi;     // degrees from `up`, in [0, 180]
+    double radius = 1.0;          // scene units, above 0
     dvec3 target = dvec3(0.0);
     dvec3 up = dvec3(0.0, 1.0, 0.0);
-    double verticalFov = 45.0; // degrees
+    double verticalFov = kDefaultFov; // degrees
 };
 
 /// The least and the greatest radius, of the diagonal of the scene's bounds: nearer, single floats fill the picture;

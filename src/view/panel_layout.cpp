@@ -70,7 +70,8 @@ void drawViewMenu(const PanelContext& context)
             state.moved = true;
         }
     };
-    look("Frame all", "F", 30.0, 75.0);
+    const FittedView whole = wholeSceneFrom(state.view);
+    look("Frame all", "F", whole.theta, whole.phi);
     look("Front", "1", 0.0, 90.0);
     look("Right", "3", 90.0, 90.0);
     look("Top", "7", 0.0, 0.0);

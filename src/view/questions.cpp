@@ -12,6 +12,21 @@ std::string stemOf(const ViewerState& state)
     return std::filesystem::path(state.scene->input).stem().string();
 }
 
+const std::vector<std::string> kPictures = {".png", ".exr", ".jpg", ".webp", ".hdr"};
+
+// Asks for a file, and then for what Save does with it.
+template <typename Save>
+void askWhere(const PanelContext& context, const char* title, std::vector<std::string> endings, std::string name)
+{
+    ViewerState& state = context.state;
+    context.browser.ask(
+        {.title = title,
+         .endings = std::move(endings),
+         .saves = true,
+         .name = std::move(name),
+         .chosen = [&state](const std::filesystem::path& path) { state.requests.push_back(Save{path.string()}); }});
+}
+
 } // namespace
 
 void askForScene(const PanelContext& context)
@@ -27,38 +42,18 @@ void askForScene(const PanelContext& context)
 
 void askForPicture(const PanelContext& context)
 {
-    ViewerState& state = context.state;
-    context.browser.ask({.title = "Save the picture",
-                         .endings = {".png", ".exr", ".jpg", ".webp", ".hdr"},
-                         .saves = true,
-                         .name = stemOf(state) + ".png",
-                         .chosen = [&state](const std::filesystem::path& path) {
-                             state.requests.push_back(SavePicture{path.string()});
-                         }});
+    askWhere<SavePicture>(context, "Save the picture", kPictures, stemOf(context.state) + ".png");
 }
 
 void askForTurntable(const PanelContext& context)
 {
-    ViewerState& state = context.state;
-    context.browser.ask({.title = "Save pictures from all around",
-                         .endings = {".png", ".exr", ".jpg", ".webp"},
-                         .saves = true,
-                         .name = stemOf(state) + "-turn.png",
-                         .chosen = [&state](const std::filesystem::path& path) {
-                             state.requests.push_back(SaveTurntable{path.string()});
-                         }});
+    askWhere<SaveTurntable>(context, "Save pictures from all around", kPictures, stemOf(context.state) + "-turn.png");
 }
 
 void askForSave(const PanelContext& context)
 {
-    ViewerState& state = context.state;
-    context.browser.ask({.title = "Save the scene",
-                         .endings = {".gltf", ".glb"},
-                         .saves = true,
-                         .name = std::filesystem::path(state.scene->input).filename().string(),
-                         .chosen = [&state](const std::filesystem::path& path) {
-                             state.requests.push_back(SaveScene{path.string()});
-                         }});
+    askWhere<SaveScene>(context, "Save the scene", {".gltf", ".glb"},
+                        std::filesystem::path(context.state.scene->input).filename().string());
 }
 
 } // namespace torrance

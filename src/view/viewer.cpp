@@ -3,6 +3,7 @@
 #include "core/error.h"
 #include "passes/targets.h"
 #include "plan/pixel_sampling_plan.h"
+#include "scene/default_view.h"
 #include "view/kept_settings.h"
 #include "view/viewer_report.h"
 
@@ -27,8 +28,6 @@ vk::Extent2D extentOf(const ivec2& size)
 {
     return {static_cast<std::uint32_t>(size.x), static_cast<std::uint32_t>(size.y)};
 }
-
-constexpr double kFov = 45.0 * kPi / 180.0, kMargin = 0.05; // those of `torrance render`
 
 } // namespace
 
@@ -187,7 +186,7 @@ Camera Viewer::camera() const
     const Scene& scene = state.scene->scene();
     if (const auto* fitted = std::get_if<FittedView>(&state.view))
         return fitCamera(scene, {.theta = fitted->theta * kPi / 180.0, .phi = fitted->phi * kPi / 180.0},
-                         double(area.size.x) / area.size.y, kFov, 2.0 * kMargin);
+                         double(area.size.x) / area.size.y, kDefaultFov * kPi / 180.0, 2.0 * kDefaultMargin);
     if (const auto* file = std::get_if<FileView>(&state.view))
         return fitNearPlane(scene.cameras[static_cast<std::size_t>(file->index)], scene);
     return cameraOf(std::get<OrbitPose>(state.view), scene);

@@ -178,11 +178,7 @@ void Viewer::handleCameraKey(const KeyPress& press)
 
 void Viewer::frameAll()
 {
-    FittedView fitted;
-    const auto* pose = std::get_if<OrbitPose>(&state.view);
-    if (pose && pose->up == OrbitPose().up) // angles about another axis mean another direction
-        fitted = {pose->theta, pose->phi};
-    state.view = fitted;
+    state.view = wholeSceneFrom(state.view);
     state.moved = true;
 }
 

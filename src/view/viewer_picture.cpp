@@ -3,10 +3,10 @@
 
 #include "core/error.h"
 #include "files/image_read.h"
-#include "image/linear_scale.h"
 #include "image/quantize.h"
 #include "image/srgb.h"
 #include "passes/targets.h"
+#include "plan/view_scale.h"
 #include "study/error_picture.h"
 #include "view/screen_place.h"
 #include "view/selection_box.h"
@@ -93,11 +93,9 @@ void Viewer::drawScene()
         ++state.scenesDrawn;
         shownTerm = {};
         if (const View* view = state.scene->plan.settings.view) {
-            const gpu::DeviceImage& drawn = renderer.frame(state.scene->plan);
-            if (view->scale)
-                shownTerm = {.factor = view->scale->factor, .offset = view->scale->offset};
-            else if (const double greatest = greatestValue(readBack(device, drawn)); greatest > 0.0)
-                shownTerm.factor = 1.0 / greatest;
+            const ViewScale scale = scaleOf(*view, readBack(device, renderer.frame(state.scene->plan)));
+            shownTerm.factor = scale.factor;
+            shownTerm.offset = scale.offset;
         }
         surveyErrors();
     });

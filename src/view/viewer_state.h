@@ -3,9 +3,9 @@
 
 #include "view/edits.h"
 #include "view/error_survey.h"
-#include "view/orbit_pose.h"
 #include "view/pixel_probe.h"
 #include "view/scene_on_device.h"
+#include "view/view_point.h"
 #include "view/viewer_host.h"
 
 #include <deque>
@@ -17,21 +17,6 @@
 #include <vector>
 
 namespace torrance {
-
-/// The whole scene in the picture, seen along a direction: what `torrance render` does by itself.
-struct FittedView
-{
-    double theta = 30.0; // degrees, as of OrbitPose
-    double phi = 75.0;
-};
-
-/// One of the file's cameras, as it stands there.
-struct FileView
-{
-    int index = 0;
-};
-
-using ViewPoint = std::variant<FittedView, FileView, OrbitPose>;
 
 struct OpenScene
 {

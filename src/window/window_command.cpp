@@ -14,14 +14,6 @@
 namespace torrance {
 namespace {
 
-EnvironmentChoice firstEnvironment(const WindowOptions& options, const brdf::Preset& methods)
-{
-    const std::string byDefault = brdf::isComposed(methods) ? "studio" : "none";
-    return {.name = options.environment.name.empty() ? byDefault : options.environment.name,
-            .rotation = options.environment.rotation,
-            .intensity = options.environment.intensity};
-}
-
 std::optional<Environment> load(const EnvironmentChoice& choice, const brdf::Preset& methods)
 {
     if (choice.name == "none")
@@ -79,9 +71,12 @@ ViewerHost makeHost(const WindowOptions& options, const GlobalOptions& global)
     host.choosesCamera = isGiven(options.camera);
     host.firstFileCamera = host.inputs.empty() ? -1 : cameraOptionsFor(options.camera, host.inputs.front()).index;
     host.sceneOptions = lastingArguments(options);
-    host.environments = {"studio", "sky", "furnace", "none"};
+    host.environments.assign(builtInEnvironments().begin(), builtInEnvironments().end());
+    host.environments.emplace_back("none");
     host.write = writeSettings(options.output, methods);
-    host.environment = firstEnvironment(options, methods);
+    host.environment = {.name = environmentName(options.environment, methods),
+                        .rotation = options.environment.rotation,
+                        .intensity = options.environment.intensity};
     if (host.environment.name != "none")
         load(host.environment, methods); // what is wrong with its options is said before a window opens
     host.windowSize = chosenSize(options.frame.picture);
