@@ -15,8 +15,7 @@ struct MipRule
     /// Colours count by their alpha, so that what lies hidden under the transparent part of a leaf does not bleed into
     /// its rim (Porter & Duff 1984: average premultiplied, divide again). For AlphaMode::mask and blend.
     bool weighByAlpha = false;
-    /// Of normals: alpha holds the length of the mean of the unit normals, which Toksvig's filter reads. They
-    /// lie on the device in 16 bits: 8 would round lengths near 1 by more than they differ.
+    /// Of normals: alpha holds the length of the mean of the unit normals, which Toksvig's filter reads.
     bool lengthInAlpha = false;
 };
 

@@ -1,9 +1,9 @@
 #include "prepare/texel_codec.h"
 
-#include "image/code_table.h"
 #include "image/quantize.h"
 #include "image/srgb.h"
 #include "math/half.h"
+#include "math/half4.h"
 
 #include <algorithm>
 #include <array>
@@ -83,6 +83,33 @@ struct Stored // codes lie on the device as they are
     }
 };
 
+/// Codes lie on the device in 16 bits, exactly, and means between them.
+template <typename CodeType>
+struct Widened
+{
+    using Code = CodeType;
+    using OnDevice = std::uint16_t;
+    static constexpr TexelStorage kStorage = TexelStorage::unorm16;
+    static constexpr int kFactor = kMaximum<OnDevice> / kMaximum<Code>;
+
+    const std::vector<float>& fractionOf = fractionTable<Code>();
+
+    std::array<OnDevice, 4> stored(const std::array<Code, 4>& code) const
+    {
+        std::array<OnDevice, 4> wide;
+        for (std::size_t c = 0; c < wide.size(); ++c)
+            wide[c] = static_cast<OnDevice>(kFactor * code[c]);
+        return wide;
+    }
+    void rounded(const Four& fractions, FourTexels<OnDevice>& texels) const
+    {
+        const auto code = [&](std::size_t i) {
+            return roundedProduct(clippedToUnit(fractions[i]), kMaximum<OnDevice>);
+        };
+        pack(code(0), code(1), code(2), code(3), texels.data());
+    }
+};
+
 template <typename CodeType>
 struct Data : Stored<CodeType>
 {
@@ -106,8 +133,10 @@ Float4 makeUnit(Float4& x, Float4& y, Float4& z)
     return length;
 }
 
+// Means of normals rounded to the 8 bits of their file were all of a minified picture's error that no method of shading
+// could lower: 1.4 % of a water bottle's light in 256 x 256 pixels, and 0.2 % without.
 template <typename CodeType, bool kLengthInAlpha>
-struct Normals : Stored<CodeType>
+struct Normals : Widened<CodeType>
 {
     using Code = CodeType;
 
@@ -117,7 +146,7 @@ struct Normals : Stored<CodeType>
         const Float4 stored = {of[code[0]], of[code[1]], of[code[2]], of[code[3]]};
         return stored * Float4{2, 2, 2, 1} - Float4{1, 1, 1, 0};
     }
-    void nearest(Four means, FourTexels<Code>& texels) const
+    void nearest(Four means, FourTexels<std::uint16_t>& texels) const
     {
         auto& [x, y, z, alpha] = means; // of the four texels, once they are transposed
         transpose(x, y, z, alpha);
@@ -130,18 +159,6 @@ struct Normals : Stored<CodeType>
         this->rounded(means, texels);
     }
 };
-
-/// Exact rounding of linear light to 8-bit sRGB without a power per texel.
-const CodeTable& srgbCodes()
-{
-    static const CodeTable codes([] {
-        CodeSteps from;
-        for (std::size_t i = 0; i < from.size(); ++i)
-            from[i] = static_cast<float>(srgbDecode((static_cast<double>(i) + 0.5) / 255.0));
-        return from;
-    }());
-    return codes;
-}
 
 template <typename Code>
 const std::vector<float>& linearTable()
@@ -180,7 +197,6 @@ struct Color8Storage
 
     const std::vector<std::uint16_t>& colors = halfColors();
     const std::vector<std::uint16_t>& alphas = halfFractions();
-    const CodeTable::Lookup codes = srgbCodes().lookup();
 
     std::array<OnDevice, 4> stored(const std::array<Code, 4>& code) const
     {
@@ -188,14 +204,7 @@ struct Color8Storage
     }
     void rounded(const Four& lights, FourTexels<OnDevice>& texels) const
     {
-        const Int4 alpha = roundedProduct(Float4{lights[0][3], lights[1][3], lights[2][3], lights[3][3]}, 255.0);
-        for (int i = 0; i < 4; ++i) {
-            const Int4 code = codes(lights[static_cast<std::size_t>(i)]);
-            std::uint16_t* texel = texels.data() + 4 * i;
-            for (int c = 0; c < 3; ++c)
-                texel[c] = colors[static_cast<std::size_t>(code[c])];
-            texel[3] = alphas[static_cast<std::size_t>(alpha[i])];
-        }
+        pack(halfBits(lights[0]), halfBits(lights[1]), halfBits(lights[2]), halfBits(lights[3]), texels.data());
     }
 };
 
@@ -222,12 +231,7 @@ struct Color16Storage
     }
     void rounded(const Four& lights, FourTexels<OnDevice>& texels) const
     {
-        for (std::size_t i = 0; i < lights.size(); ++i) {
-            const Float4 light = lights[i];
-            for (int c = 0; c < 3; ++c)
-                texels[4 * i + static_cast<std::size_t>(c)] = colors[quantized(srgbEncode(light[c]), 65535)];
-            texels[4 * i + 3] = alphas[quantized(light[3], 65535)];
-        }
+        std::memcpy(texels.data(), lights.data(), sizeof texels);
     }
 };
 

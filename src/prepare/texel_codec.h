@@ -25,7 +25,8 @@ constexpr std::size_t bytesPerTexel(TexelStorage storage)
 }
 
 /// Colours become linear light before they are sampled: of 8 bits a half, within 2^-12 of the exact curve, of 16 bits a
-/// float. Everything else lies as it is stored, and normals with the length of their mean in 16 bits.
+/// float; so do their means. Normals lie in 16 bits, and their means between the file's codes. Everything else lies as
+/// it is stored.
 struct TexelCodec
 {
     TexelStorage storage;
@@ -37,7 +38,7 @@ struct TexelCodec
     void (*halve)(const std::byte* upper, const std::byte* lower, std::size_t count, Float4* means);
     /// Texels from the file as the device has them.
     void (*store)(const std::byte* codes, std::size_t count, std::byte* texels);
-    /// Means, rounded to the file's codes, as the device has them.
+    /// Means as the device has them.
     void (*encode)(const Float4* means, std::size_t count, std::byte* texels);
 };
 

@@ -99,10 +99,10 @@ std::uint64_t PixelEstimator::numberOf(int x, int y) const
     return static_cast<std::uint64_t>(y) * static_cast<std::uint64_t>(settings.width) + static_cast<std::uint64_t>(x);
 }
 
-void PixelEstimator::gatherPlace(const dvec2& place, double weight, std::uint64_t key, std::vector<Point>& points,
-                                 PixelEstimate& exact) const
+void PixelEstimator::gatherPlace(const dvec2& place, const ivec2& pixel, double weight, std::uint64_t key,
+                                 std::vector<Point>& points, PixelEstimate& exact) const
 {
-    const VisibleSurfaces seen = surfacesAt(place.x, place.y);
+    const VisibleSurfaces seen = surfacesAt(place, pixel);
     for (std::size_t i = 0; i < seen.surfaces.size(); ++i)
         addSurface(seen.surfaces[i], weight * seen.surfaces[i].share, hashNumbers({key, i}), points, exact);
     exact.covered += seen.surfaces.empty() ? 0.0 : weight;
@@ -113,8 +113,8 @@ void PixelEstimator::gather(int x, int y, std::uint64_t seed, std::vector<Point>
 {
     const double weight = 1.0 / static_cast<double>(offsets.size());
     for (std::size_t sample = 0; sample < offsets.size(); ++sample)
-        gatherPlace(dvec2(x + 0.5, y + 0.5) + offsets[sample], weight, hashNumbers({seed, numberOf(x, y), sample}),
-                    points, exact);
+        gatherPlace(dvec2(x + 0.5, y + 0.5) + offsets[sample], {x, y}, weight,
+                    hashNumbers({seed, numberOf(x, y), sample}), points, exact);
 }
 
 Ray PixelEstimator::rayAt(double x, double y) const
@@ -122,24 +122,26 @@ Ray PixelEstimator::rayAt(double x, double y) const
     return primaryRay(camera, settings.width, settings.height, x, y);
 }
 
-std::optional<NeighbourRays> PixelEstimator::neighboursOf(double x, double y) const
+std::optional<QuadRays> PixelEstimator::quadOf(const dvec2& place, const ivec2& pixel) const
 {
     if (!settings.levelBias)
         return std::nullopt;
-    return NeighbourRays{rayAt(x + 1.0, y), rayAt(x, y + 1.0), *settings.levelBias};
+    const double x = place.x - pixel.x % 2, y = place.y - pixel.y % 2;
+    return QuadRays{rayAt(x, y), rayAt(x + 1.0, y), rayAt(x, y + 1.0), *settings.levelBias};
 }
 
-VisibleSurfaces PixelEstimator::surfacesAt(double x, double y) const
+VisibleSurfaces PixelEstimator::surfacesAt(const dvec2& place, const ivec2& pixel) const
 {
-    const std::optional<NeighbourRays> neighbours = neighboursOf(x, y);
-    return visibleSurfaces(caster, rayAt(x, y), neighbours ? &*neighbours : nullptr);
+    const std::optional<QuadRays> quad = quadOf(place, pixel);
+    return visibleSurfaces(caster, rayAt(place.x, place.y), quad ? &*quad : nullptr);
 }
 
 std::optional<Hit> PixelEstimator::seenFrom(int x, int y) const
 {
     // Only a hole depends on how textures are filtered.
-    const std::optional<NeighbourRays> neighbours = holes ? neighboursOf(x + 0.5, y + 0.5) : std::nullopt;
-    return firstVisible(caster, rayAt(x + 0.5, y + 0.5), neighbours ? &*neighbours : nullptr);
+    const dvec2 center(x + 0.5, y + 0.5);
+    const std::optional<QuadRays> quad = holes ? quadOf(center, {x, y}) : std::nullopt;
+    return firstVisible(caster, rayAt(center.x, center.y), quad ? &*quad : nullptr);
 }
 
 Replicates PixelEstimator::sumsOfTurns(const std::vector<Point>& points, std::uint32_t first, std::uint32_t turns) const
@@ -173,7 +175,7 @@ PixelReplicates PixelEstimator::wholePixel(int x, int y, int places, int turns) 
         PixelEstimate exact;
         for (int i = 0; i < places; ++i) {
             const dvec2 u = sequence[static_cast<std::uint32_t>(i)];
-            gatherPlace(dvec2(x + 0.5 + filterPlace(u.x), y + 0.5 + filterPlace(u.y)), 1.0 / places,
+            gatherPlace(dvec2(x + 0.5 + filterPlace(u.x), y + 0.5 + filterPlace(u.y)), {x, y}, 1.0 / places,
                         hashNumbers({key, static_cast<std::uint64_t>(i)}), points, exact);
         }
         dvec3 sum(0.0);

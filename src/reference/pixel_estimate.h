@@ -56,8 +56,8 @@ public:
 
     /// The ray through a place in the picture, in pixels from its top-left corner.
     Ray rayAt(double x, double y) const;
-    /// The surfaces under it.
-    VisibleSurfaces surfacesAt(double x, double y) const;
+    /// The surfaces under it, as a place of this pixel.
+    VisibleSurfaces surfacesAt(const dvec2& place, const ivec2& pixel) const;
     /// What the pixel's centre sees first; a pixel is covered where that is something.
     std::optional<Hit> seenFrom(int x, int y) const;
 
@@ -69,14 +69,14 @@ private:
     struct Point;
     PixelEstimate estimate(int x, int y, int directions, std::optional<double> halfWidth, double meanNorm) const;
     void gather(int x, int y, std::uint64_t seed, std::vector<Point>& points, PixelEstimate& exact) const;
-    void gatherPlace(const dvec2& place, double weight, std::uint64_t key, std::vector<Point>& points,
-                     PixelEstimate& exact) const;
+    void gatherPlace(const dvec2& place, const ivec2& pixel, double weight, std::uint64_t key,
+                     std::vector<Point>& points, PixelEstimate& exact) const;
     std::uint64_t numberOf(int x, int y) const;
     void addSurface(const VisibleSurface& seen, double share, std::uint64_t key, std::vector<Point>& points,
                     PixelEstimate& exact) const;
     Replicates sumsOfTurns(const std::vector<Point>& points, std::uint32_t first, std::uint32_t turns) const;
     dvec4 backgroundOf(const Ray& ray) const;
-    std::optional<NeighbourRays> neighboursOf(double x, double y) const;
+    std::optional<QuadRays> quadOf(const dvec2& place, const ivec2& pixel) const;
 
     const ReferenceSettings& settings;
     std::optional<InterfaceAlbedo> interfaceAlbedo; // of the yardstick physics

@@ -74,22 +74,24 @@ void fillAttributes(const Corners& c, SurfacePoint& point)
         point.color = interpolate<dvec4>(c.vertices, c.weights, [&](std::uint32_t v) { return p.colors[v]; });
 }
 
-/// The plane's texture coordinates where another ray meets it, less the point's own.
-dvec2 uvStep(const Corners& c, const std::array<dvec3, 3>& places, const Ray& ray, std::size_t set)
+/// The plane's texture coordinates where one ray meets it, less those where another does.
+dvec2 uvStep(const Corners& c, const std::array<dvec3, 3>& places, const Ray& from, const Ray& to, std::size_t set)
 {
-    const std::optional<Hit> met = meetTriangle(places, ray);
-    if (!met)
+    const std::optional<Hit> first = meetTriangle(places, from), second = meetTriangle(places, to);
+    if (!first || !second)
         return dvec2(0.0);
     const std::vector<vec2>& uvs = c.primitive.uvs[set];
-    return interpolate<dvec2>(c.vertices, met->barycentric - c.weights, [&](std::uint32_t v) { return uvs[v]; });
+    return interpolate<dvec2>(c.vertices, second->barycentric - first->barycentric,
+                              [&](std::uint32_t v) { return uvs[v]; });
 }
 
-SurfaceFootprint footprintOf(const Corners& c, const std::array<dvec3, 3>& places, const NeighbourRays& neighbours)
+SurfaceFootprint footprintOf(const Corners& c, const std::array<dvec3, 3>& places, const QuadRays& quad)
 {
-    SurfaceFootprint footprint = {.uvs = {}, .levelBias = neighbours.levelBias};
+    SurfaceFootprint footprint = {.uvs = {}, .levelBias = quad.levelBias};
     for (std::size_t set = 0; set < 2; ++set)
         if (!c.primitive.uvs[set].empty())
-            footprint.uvs[set] = {uvStep(c, places, neighbours.right, set), uvStep(c, places, neighbours.below, set)};
+            footprint.uvs[set] = {uvStep(c, places, quad.first, quad.right, set),
+                                  uvStep(c, places, quad.first, quad.below, set)};
     return footprint;
 }
 
@@ -105,7 +107,7 @@ SurfacePoint shapePoint(const RayCaster& caster, const Ray& ray, const Hit& hit)
     return point;
 }
 
-SurfacePoint trianglePoint(const RayCaster& caster, const Hit& hit, const NeighbourRays* neighbours)
+SurfacePoint trianglePoint(const RayCaster& caster, const Hit& hit, const QuadRays* quad)
 {
     const Corners c = cornersOf(caster.scene(), hit);
     const std::array<dvec3, 3> places = triangleCorners(caster.scene(), hit.instance, hit.triangle, caster.origin());
@@ -116,16 +118,16 @@ SurfacePoint trianglePoint(const RayCaster& caster, const Hit& hit, const Neighb
     point.geometricNormal = hit.front ? front : -front;
     point.object = caster.scene().instances[static_cast<std::size_t>(hit.instance)].object;
     fillAttributes(c, point);
-    if (neighbours)
-        point.footprint = footprintOf(c, places, *neighbours);
+    if (quad)
+        point.footprint = footprintOf(c, places, *quad);
     return point;
 }
 
 } // namespace
 
-SurfacePoint makeSurfacePoint(const RayCaster& caster, const Ray& ray, const Hit& hit, const NeighbourRays* neighbours)
+SurfacePoint makeSurfacePoint(const RayCaster& caster, const Ray& ray, const Hit& hit, const QuadRays* quad)
 {
-    SurfacePoint point = hit.shape >= 0 ? shapePoint(caster, ray, hit) : trianglePoint(caster, hit, neighbours);
+    SurfacePoint point = hit.shape >= 0 ? shapePoint(caster, ray, hit) : trianglePoint(caster, hit, quad);
     point.view = -ray.direction;
     point.distance = hit.distance;
     point.front = hit.front;

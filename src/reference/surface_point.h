@@ -23,10 +23,11 @@ struct SurfaceFootprint
     double levelBias = 0.0;
 };
 
-/// The rays through the same place of the pixel to the right and of the pixel below.
-struct NeighbourRays
+/// The rays through the same place of three pixels of a quad, the first, the one on its right and the one below it.
+/// What changes between them a device takes for the derivatives of all four (SPIR-V's OpDPdxCoarse).
+struct QuadRays
 {
-    Ray right, below;
+    Ray first, right, below;
     double levelBias = 0.0; // of the textures' levels
 };
 
@@ -48,8 +49,7 @@ struct SurfacePoint
 
 /// Normals go through the cofactor matrix times the determinant's sign, tangents through the matrix; both are
 /// interpolated before they are made unit. Where a primitive has no normals, or they vanish, the triangle's own stands
-/// in. With neighbours the point has a footprint: where they meet the plane of its triangle, wherever that ends.
-SurfacePoint makeSurfacePoint(const RayCaster& caster, const Ray& ray, const Hit& hit,
-                              const NeighbourRays* neighbours = nullptr);
+/// in. With a quad the point has a footprint: where its rays meet the plane of its triangle, wherever that ends.
+SurfacePoint makeSurfacePoint(const RayCaster& caster, const Ray& ray, const Hit& hit, const QuadRays* quad = nullptr);
 
 } // namespace torrance

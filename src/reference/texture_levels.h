@@ -12,7 +12,7 @@ struct LevelRule
     bool weighByAlpha = false; // colours count by their alpha: masked and blended materials
 };
 
-/// How texture coordinates change from a pixel to the one on its right, and to the one below.
+/// How texture coordinates change from the first pixel of a quad to the one on its right, and to the one below.
 struct UvSteps
 {
     dvec2 right = dvec2(0.0);

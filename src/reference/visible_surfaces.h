@@ -22,10 +22,10 @@ struct VisibleSurfaces
 
 /// Blended surfaces count in the order in which the ray meets them, as glTF 2.0, 3.9.4, has it (over), both sides of
 /// double-sided ones. A renderer that sorts whole primitives differs where they cross.
-/// `neighbours` as of makeSurfacePoint.
-VisibleSurfaces visibleSurfaces(const RayCaster& caster, const Ray& ray, const NeighbourRays* neighbours = nullptr);
+/// `quad` as of makeSurfacePoint.
+VisibleSurfaces visibleSurfaces(const RayCaster& caster, const Ray& ray, const QuadRays* quad = nullptr);
 
 /// The first of them: what makes a pixel covered.
-std::optional<Hit> firstVisible(const RayCaster& caster, const Ray& ray, const NeighbourRays* neighbours = nullptr);
+std::optional<Hit> firstVisible(const RayCaster& caster, const Ray& ray, const QuadRays* quad = nullptr);
 
 } // namespace torrance

@@ -95,7 +95,7 @@ PixelCause pixelCause(const PixelEstimator& estimator, const Settings& settings,
                                {brdf::Slot::areaLight}};
     const std::vector<dvec2> offsets = sampleOffsets(settings.samples);
     for (const dvec2& offset : offsets)
-        for (const VisibleSurface& seen : estimator.surfacesAt(x + 0.5 + offset.x, y + 0.5 + offset.y).surfaces) {
+        for (const VisibleSurface& seen : estimator.surfacesAt(dvec2(x + 0.5, y + 0.5) + offset, {x, y}).surfaces) {
             if (seen.material.unlit)
                 continue;
             const double share = seen.share / double(offsets.size());

@@ -71,7 +71,8 @@ std::vector<SeenSurface> surveySurfaces(const PixelEstimator& estimator, const b
     std::vector<SeenSurface> surfaces;
     double all = 0.0;
     for (const CoveredPixel& pixel : pixels)
-        for (const VisibleSurface& seen : estimator.surfacesAt(pixel.x + 0.5, pixel.y + 0.5).surfaces) {
+        for (const VisibleSurface& seen :
+             estimator.surfacesAt({pixel.x + 0.5, pixel.y + 0.5}, {pixel.x, pixel.y}).surfaces) {
             const Sent light = lightOf(scene, methods, even, origin, seen);
             const MaterialPoint& m = seen.material;
             const dvec3 f0 = dvec3(reflectanceOfIor(m.ior)) * (1.0 - m.metallic) + m.baseColor * m.metallic;

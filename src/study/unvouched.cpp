@@ -67,7 +67,7 @@ std::vector<std::string> unvouchedEffects(const PixelEstimator& estimator, bool 
     const RayCaster& rays = estimator.rays();
     std::vector<Seen> seen(places.size());
     parallelFor(places.size(), 8, [&](std::size_t i) {
-        const VisibleSurfaces surfaces = estimator.surfacesAt(places[i].x, places[i].y);
+        const VisibleSurfaces surfaces = estimator.surfacesAt(places[i], ivec2(places[i]));
         if (surfaces.surfaces.empty())
             return;
         const SurfacePoint& point = surfaces.surfaces.front().surface;

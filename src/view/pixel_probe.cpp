@@ -76,7 +76,7 @@ std::optional<PixelProbe> probePixel(const gpu::Device& device, gpu::ShaderLibra
     requireCertifiable(scene, settings);
     const ReferenceSettings exact = exactSettings(settings, {});
     const PixelEstimator estimator(scene, camera, exact);
-    const VisibleSurfaces seen = estimator.surfacesAt(pixel.x + 0.5, pixel.y + 0.5);
+    const VisibleSurfaces seen = estimator.surfacesAt(dvec2(pixel) + 0.5, pixel);
     if (seen.surfaces.empty())
         return std::nullopt;
     const VisibleSurface& nearest = seen.surfaces.front();

@@ -10,7 +10,6 @@
 #include <cstdint>
 #include <cstring>
 #include <gtest/gtest.h>
-#include <map>
 #include <span>
 
 namespace torrance {
@@ -43,38 +42,39 @@ Code codeAt(const TextureImage& picture, int x, int y)
     return out;
 }
 
-/// The code that the device's number stands for: halves and floats are the curve's values of codes, each another.
-template <typename Number, typename Convert>
-int codeOf(Number number, int maximum, bool isAlpha, const Convert& convert)
+double fromHalf(std::uint16_t half) // not negative, finite
 {
-    static std::map<std::pair<Number, bool>, int> codes;
-    if (codes.empty())
-        for (int code = 0; code <= maximum; ++code) {
-            const double fraction = code / static_cast<double>(maximum);
-            codes[{convert(static_cast<float>(srgbDecode(fraction))), false}] = code;
-            codes[{convert(static_cast<float>(fraction)), true}] = code;
-        }
-    return codes.at({number, isAlpha});
+    const int exponent = half >> 10, fraction = half & 0x3ff;
+    return exponent == 0 ? std::ldexp(fraction, -24) : std::ldexp(1024 + fraction, exponent - 25);
 }
 
-int codeAt(const std::byte* texels, TexelStorage storage, std::size_t i)
+/// What the device holds, in [0, 1]: of colours light.
+double numberAt(const std::byte* texels, TexelStorage storage, std::size_t i)
 {
-    const bool isAlpha = i % 4 == 3;
     const auto number = [&](auto value) {
         std::memcpy(&value, texels + i * sizeof value, sizeof value);
         return value;
     };
     switch (storage) {
     case TexelStorage::unorm8:
-        return number(std::uint8_t());
+        return number(std::uint8_t()) / 255.0;
     case TexelStorage::unorm16:
-        return number(std::uint16_t());
+        return number(std::uint16_t()) / 65535.0;
     case TexelStorage::half:
-        return codeOf(number(std::uint16_t()), 255, isAlpha, toHalf);
+        return fromHalf(number(std::uint16_t()));
     case TexelStorage::single:
         break;
     }
-    return codeOf(number(0.0f), 65535, isAlpha, [](float value) { return value; });
+    return double(number(0.0f));
+}
+
+/// The code next to what the device holds: of 8 bits, or of 16.
+int codeAt(const std::byte* texels, TexelStorage storage, std::size_t i)
+{
+    const bool light = storage == TexelStorage::half || storage == TexelStorage::single;
+    const bool wide = storage == TexelStorage::unorm16 || storage == TexelStorage::single;
+    const double value = numberAt(texels, storage, i);
+    return static_cast<int>(std::lround((light && i % 4 != 3 ? srgbEncode(value) : value) * (wide ? 65535.0 : 255.0)));
 }
 
 /// What writeLevels gives, in codes again: level 1 and on, of the format of `base` or of 16 bits.
@@ -137,17 +137,32 @@ TEST(Mips, ColourIsAveragedAsLightAlphaAsItIs)
     EXPECT_EQ(codeAt(data, 0, 0), (Code{128, 128, 255, 128}));
 }
 
-TEST(Mips, EightBitRoundingIsThatOfTheExactCurve)
+TEST(Mips, MeansOfColoursAreNotRoundedToCodes)
 {
-    // Every mean of two codes, against the curve in double.
+    // Every mean of two codes, against the curve in double: but for the rounding of a half, and of the floats before
+    // it.
     for (int a = 0; a < 256; ++a)
         for (int b = a; b < 256; b += 7) {
             const double mean = 0.5 * (srgbDecode(a / 255.0) + srgbDecode(b / 255.0));
-            const double exact = 255.0 * srgbEncode(mean);
-            const int code =
-                codeAt(makeMips(image(2, 1, {{a, 0, 0, 255}, {b, 0, 0, 255}}), {TexelContent::color})[0], 0, 0)[0];
-            EXPECT_NEAR(code, exact, 0.5 + 1e-4) << a << " and " << b; // 1e-4: means lie in float
+            const TextureImage pair = image(2, 1, {{a, 0, 0, 255}, {b, 0, 0, 255}});
+            const std::vector<std::byte> level = test::levelBytes(pair, {TexelContent::color})[1];
+            const double rounding = std::max(std::ldexp(mean, -11), std::ldexp(1.0, -25)); // of 11 bits; of a subnormal
+            EXPECT_NEAR(numberAt(level.data(), TexelStorage::half, 0), mean, rounding + 1e-7 * mean)
+                << a << " and " << b;
         }
+}
+
+TEST(Mips, NormalsOfEightBitsLieInSixteenAndMeansBetweenThem)
+{
+    // Level 0 is the file's codes. The mean of 128 and 131 is 129.5, which 8 bits have not.
+    const TextureImage pair = image(2, 1, {{128, 127, 255, 9}, {131, 127, 255, 9}});
+    const std::vector<std::vector<std::byte>> levels = test::levelBytes(pair, {TexelContent::normal});
+    for (std::size_t i = 0; i < 8; ++i)
+        EXPECT_EQ(numberAt(levels[0].data(), TexelStorage::unorm16, i),
+                  Code({i < 4 ? 128 : 131, 127, 255, 9})[i % 4] / 255.0);
+    const double x = 2.0 * 129.5 / 255.0 - 1.0, y = 2.0 * 127.0 / 255.0 - 1.0;
+    EXPECT_NEAR(numberAt(levels[1].data(), TexelStorage::unorm16, 0), 0.5 + 0.5 * x / std::sqrt(x * x + y * y + 1.0),
+                0.5 / 65535.0 + 1e-7);
 }
 
 TEST(Mips, SixteenBitsStaySixteen)
@@ -211,12 +226,9 @@ TEST(Mips, NormalsStayUnit)
     const Code expected = encode(kPi / 6), got = codeAt(level, 0, 0);
     for (std::size_t c = 0; c < 4; ++c)
         EXPECT_NEAR(got[c], expected[c], 2) << "channel " << c;
-    // 8-bit flat stays the flat of the file, opposite ones give +Z
-    EXPECT_EQ(
-        codeAt(makeMips(image(2, 1, std::vector<Code>(2, Code{128, 128, 255, 255})), {TexelContent::normal})[0], 0, 0),
-        (Code{128, 128, 255, 255}));
+    // opposite ones give +Z
     EXPECT_EQ(codeAt(makeMips(image(2, 1, {{255, 0, 0, 0}, {0, 255, 255, 0}}), {TexelContent::normal})[0], 0, 0),
-              (Code{128, 128, 255, 0}));
+              (Code{32768, 32768, 65535, 0}));
 }
 
 // Two normals that lean by 0.6 either way: their mean is straight up and 0.8 long.

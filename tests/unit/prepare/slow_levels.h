@@ -44,24 +44,6 @@ inline std::vector<std::uint16_t> codesOf(const TextureImage& image)
     return codes;
 }
 
-inline std::vector<float> srgbBoundaries()
-{
-    std::vector<float> boundaries;
-    for (int code = 0; code < 255; ++code)
-        boundaries.push_back(static_cast<float>(srgbDecode((code + 0.5) / 255.0)));
-    return boundaries;
-}
-
-/// Linear light to the nearest code of the exact curve.
-inline std::uint16_t srgbCode(float light, TexelFormat format)
-{
-    if (format == TexelFormat::rgba16)
-        return quantized(srgbEncode(light), 65535);
-    static const std::vector<float> boundaries = srgbBoundaries();
-    return static_cast<std::uint16_t>(
-        std::count_if(boundaries.begin(), boundaries.end(), [&](float boundary) { return light >= boundary; }));
-}
-
 constexpr float kSlowHiddenWeight = 1e-6f; // as texel_codec.cpp has it, for the same reason
 
 inline vec4 slowValue(const std::uint16_t* code, std::uint16_t maximum, const MipRule& rule)
@@ -78,8 +60,27 @@ inline vec4 slowValue(const std::uint16_t* code, std::uint16_t maximum, const Mi
     return value;
 }
 
-/// A mean as codes of the file's format.
-inline std::array<std::uint16_t, 4> slowCodes(const vec4& mean, TexelFormat format, const MipRule& rule)
+template <typename T>
+void appendNumber(std::vector<std::byte>& bytes, T value)
+{
+    const auto view = std::as_bytes(std::span(&value, 1));
+    bytes.insert(bytes.end(), view.begin(), view.end());
+}
+
+/// A channel as the device has it: colours as light in halves or floats, normals in 16 bits, others in their file's.
+inline void appendStored(std::vector<std::byte>& bytes, float fraction, TexelFormat format, TexelContent content)
+{
+    const bool wide = format == TexelFormat::rgba16;
+    const float clipped = std::clamp(fraction, 0.0f, 1.0f);
+    if (content == TexelContent::color)
+        wide ? appendNumber(bytes, clipped) : appendNumber(bytes, toHalf(clipped));
+    else if (content == TexelContent::normal || wide)
+        appendNumber(bytes, quantized(clipped, 65535));
+    else
+        appendNumber(bytes, static_cast<std::uint8_t>(quantized(clipped, 255)));
+}
+
+inline vec4 slowMean(const vec4& mean, const MipRule& rule)
 {
     vec3 value(mean);
     float alpha = mean.a;
@@ -90,36 +91,7 @@ inline std::array<std::uint16_t, 4> slowCodes(const vec4& mean, TexelFormat form
             alpha = length;
     } else if (rule.weighByAlpha)
         value /= mean.a + kSlowHiddenWeight;
-    std::array<std::uint16_t, 4> codes;
-    for (int c = 0; c < 3; ++c) {
-        const float clipped = std::clamp(value[c], 0.0f, 1.0f);
-        codes[static_cast<std::size_t>(c)] =
-            rule.content == TexelContent::color ? srgbCode(clipped, format) : quantized(clipped, maximumOf(format));
-    }
-    codes[3] = quantized(alpha, maximumOf(format));
-    return codes;
-}
-
-template <typename T>
-void appendNumber(std::vector<std::byte>& bytes, T value)
-{
-    const auto view = std::as_bytes(std::span(&value, 1));
-    bytes.insert(bytes.end(), view.begin(), view.end());
-}
-
-/// Codes as the device has them.
-inline void appendStored(std::vector<std::byte>& bytes, const std::uint16_t* codes, TexelFormat format,
-                         TexelContent content)
-{
-    for (int c = 0; c < 4; ++c) {
-        const double fraction = codes[c] / static_cast<double>(maximumOf(format));
-        const auto light = static_cast<float>(c < 3 ? srgbDecode(fraction) : fraction);
-        if (content != TexelContent::color)
-            format == TexelFormat::rgba8 ? appendNumber(bytes, static_cast<std::uint8_t>(codes[c]))
-                                         : appendNumber(bytes, codes[c]);
-        else
-            format == TexelFormat::rgba8 ? appendNumber(bytes, toHalf(light)) : appendNumber(bytes, light);
-    }
+    return vec4(value, alpha);
 }
 
 /// Weights of the texels of a fine level under texel i of a coarse one: the overlap of [i, i + 1] * fine / coarse with
@@ -161,9 +133,9 @@ inline TextureImage slowUnitNormals(const TextureImage& image)
         const vec3 normal(slowValue(&codes[i], maximumOf(image.format), {.content = TexelContent::normal}));
         const float length = glm::length(normal);
         const vec3 unit = length > 0.0f ? normal / length : vec3(0, 0, 1);
-        for (const std::uint16_t code :
-             slowCodes(vec4(unit, 1.0f), TexelFormat::rgba16, {.content = TexelContent::normal, .lengthInAlpha = true}))
-            appendNumber(wide.texels, code);
+        const vec4 stored = slowMean(vec4(unit, 1.0f), {.content = TexelContent::normal, .lengthInAlpha = true});
+        for (int c = 0; c < 4; ++c)
+            appendStored(wide.texels, stored[c], TexelFormat::rgba16, TexelContent::normal);
     }
     return wide;
 }
@@ -177,13 +149,20 @@ inline std::vector<std::vector<std::byte>> slowLevels(const TextureImage& file, 
     for (std::size_t i = 0; i < codes.size(); i += 4)
         level.texels.push_back(slowValue(&codes[i], maximumOf(image.format), rule));
     std::vector<std::vector<std::byte>> levels(1);
-    for (std::size_t i = 0; i < codes.size(); i += 4)
-        appendStored(levels[0], &codes[i], image.format, rule.content);
+    for (std::size_t i = 0; i < codes.size(); ++i) {
+        const double fraction = codes[i] / static_cast<double>(maximumOf(image.format));
+        const bool light = rule.content == TexelContent::color && i % 4 != 3;
+        appendStored(levels[0], static_cast<float>(light ? srgbDecode(fraction) : fraction), image.format,
+                     rule.content);
+    }
     while (level.width > 1 || level.height > 1) {
         level = slowHalf(level);
         levels.emplace_back();
-        for (const vec4& mean : level.texels)
-            appendStored(levels.back(), slowCodes(mean, image.format, rule).data(), image.format, rule.content);
+        for (const vec4& texel : level.texels) {
+            const vec4 mean = slowMean(texel, rule);
+            for (int c = 0; c < 4; ++c)
+                appendStored(levels.back(), mean[c], image.format, rule.content);
+        }
     }
     return levels;
 }

@@ -45,7 +45,7 @@ constexpr Kind kKinds[] = {
     {"color8", rgba8, {.content = color}, TexelStorage::half},
     {"weighted8", rgba8, {.content = color, .weighByAlpha = true}, TexelStorage::half},
     {"data8", rgba8, {.content = data}, TexelStorage::unorm8},
-    {"normal8", rgba8, {.content = normal}, TexelStorage::unorm8},
+    {"normal8", rgba8, {.content = normal}, TexelStorage::unorm16},
     {"lengths8", rgba8, {.content = normal, .lengthInAlpha = true}, TexelStorage::unorm16},
     {"color16", rgba16, {.content = color}, TexelStorage::single},
     {"weighted16", rgba16, {.content = color, .weighByAlpha = true}, TexelStorage::single},
