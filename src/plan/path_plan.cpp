@@ -12,9 +12,8 @@ namespace {
 /// From so many triangles a pixel of the picture on, shading at their edges costs more than keeping attributes does: a
 /// triangle is shaded in whole vectors of pixels. Time of the attributes path over that of the prepass, by
 /// `torrance bench --vary path=prepass,attributes` at several sizes of the picture, triangles a pixel before the colon:
-/// WaterBottle 0.27: 0.68, 0.069: 0.79, 0.017: 0.93, 0.0043: 1.06; BoomBoxWithAxes 0.25: 0.69, 0.064: 0.83, 0.028:
-/// 0.92, 0.016: 1.00; MetalRoughSpheresNoTextures 1: 0.46, 0.062: 0.67, 0.028: 0.77.
-constexpr double kTrianglesPerPixel = 1.0 / 64.0;
+/// WaterBottle 0.069: 0.78, 0.017: 1.05; BoomBoxWithAxes 0.064: 0.93, 0.028: 1.00, 0.016: 1.10.
+constexpr double kTrianglesPerPixel = 1.0 / 32.0;
 
 // Of what the attributes path would shade once a pixel.
 double attributeTriangles(const Scene& scene, const ShadingPlan& plan)

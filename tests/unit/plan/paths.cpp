@@ -39,9 +39,9 @@ TEST(PathPlan, ShadesOnlyWhatIsSeen)
 TEST(PathPlan, LeavesAttributesWhereTrianglesAreManyForThePicture)
 {
     Scene scene = litScene();
-    scene.instances.assign(64, Instance{}); // of one triangle each: 1/64 a pixel
+    scene.instances.assign(128, Instance{}); // of one triangle each: 1/32 a pixel
     EXPECT_EQ(makePlan(scene, sized(64)).path, RenderPath::attributes);
-    scene.instances.resize(63);
+    scene.instances.resize(127);
     EXPECT_EQ(makePlan(scene, sized(64)).path, RenderPath::prepass);
 }
 
