@@ -4,9 +4,11 @@
 #include "app/device_option.h"
 #include "app/interruption.h"
 #include "app/lit_scene.h"
+#include "app/method_table_option.h"
 #include "app/picture_options.h"
 #include "app/progress_line.h"
 #include "app/today.h"
+#include "app/tolerance_option.h"
 #include "app/version.h"
 #include "core/atomic_write.h"
 #include "core/data_folder.h"
@@ -18,10 +20,12 @@
 #include "reference/reference_settings.h"
 #include "study/bench_record.h"
 #include "study/chart_plans.h"
+#include "study/tolerance_variant.h"
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <fmt/format.h>
+#include <sstream>
 
 namespace torrance {
 namespace {
@@ -104,6 +108,22 @@ double noiseOf(const SurfaceTruth& truth)
     return norms > 0.0 ? widths / norms : 0.0;
 }
 
+std::vector<Tolerance> tolerancesOf(const std::string& list)
+{
+    std::vector<Tolerance> tolerances;
+    if (list == "none")
+        return tolerances;
+    std::istringstream stream(list);
+    for (std::string text; std::getline(stream, text, ',');)
+        tolerances.push_back({.mean = parseTolerance(text), .percentile99 = {}});
+    return tolerances;
+}
+
+bool isOf(const Tolerance& tolerance, const PlanResult& result)
+{
+    return result.kind == kToleranceKind && result.name.starts_with(toleranceName(tolerance));
+}
+
 void requireSomethingCovered(const SurfaceTruth& truth, const std::string& input)
 {
     if (std::ranges::find(truth.counted, true) == truth.counted.end())
@@ -120,6 +140,10 @@ void declareSceneChartOptions(CLI::App& app, SceneChartOptions& o)
     app.add_option("--directions", o.directions,
                    "Of a scene's exact light, for each surface and light, rounded up to a multiple of 64 (default 256)")
         ->check(CLI::Range(1, kMostDirections));
+    app.add_option("--tolerance", o.tolerances,
+                   "Of a scene: the plans that these choose are charted, too; shares or names as of render, separated "
+                   "by commas, or none (default standard)")
+        ->type_name("E,...");
     declareCameraOptions(app, o.camera);
     declareLightOptions(app, o.light);
 }
@@ -132,6 +156,7 @@ void chartScene(const SceneChartOptions& o, const MeasuringOptions& measuring, c
         throw usageError("a chart is of one scene, and " + std::to_string(inputs.size()) + " were given",
                          "chart them one after the other");
     const Settings settings = baseSettings(o.resolution);
+    const std::vector<Tolerance> tolerances = tolerancesOf(o.tolerances);
     const std::optional<Environment> environment = loadChosenEnvironment(measuring.environment, settings.methods);
     const Scene scene = loadLitScene(o.scene, o.light, settings.methods, environment, inputs.front()).scene;
     const Camera camera =
@@ -148,14 +173,15 @@ void chartScene(const SceneChartOptions& o, const MeasuringOptions& measuring, c
     reference.directions = (o.directions + kDirectionsPerRound - 1) / kDirectionsPerRound * kDirectionsPerRound;
     const std::string hash = hashOfInputs(scene, camera, reference,
                                           versionText() + machine.processor + machine.device + machine.driver +
-                                              fmt::format("{}", measuring.seconds))
+                                              fmt::format("{} {}", measuring.seconds, o.tolerances))
                                  .hex();
     const std::string part = (folder / "plans.part").string();
     std::vector<PlanResult> results = begun(part, measuring.resume, hash);
     writeFile(part, partText(results, hash)); // what cannot be written is said before minutes are spent
 
     const Interruption interruption;
-    const std::vector<PlanVariant> variants = planVariants(scene, settings);
+    std::vector<PlanVariant> variants = planVariants(scene, settings);
+    const MethodTable table = loadMethodTable("shipped", device.description, true).table;
     ProgressLine progress("plans");
     const auto checkpoint = [&] {
         if (interruption.came())
@@ -167,6 +193,9 @@ void chartScene(const SceneChartOptions& o, const MeasuringOptions& measuring, c
                              reference.directions, [&] { return interruption.came(); });
         checkpoint();
         requireSomethingCovered(truth, inputs.front());
+        for (const Tolerance& tolerance : tolerances)
+            if (std::ranges::none_of(results, [&](const PlanResult& r) { return isOf(tolerance, r); }))
+                variants.push_back(toleranceVariant(on, scene, camera, settings, table, tolerance, checkpoint));
         for (const PlanVariant& variant : variants) {
             if (std::ranges::find(results, variant.name, &PlanResult::name) == results.end()) {
                 results.push_back(measurePlan(on, scene, camera, variants.front(), variant, truth,
@@ -187,7 +216,7 @@ void chartScene(const SceneChartOptions& o, const MeasuringOptions& measuring, c
         "either side.",
         machine.device, machine.driver, machine.processor, machine.cores, environment ? environment->name : "none",
         settings.width, settings.height, today(), versionText(), 100.0 * noiseOf(truth));
-    writeChart(folder, "plans", plansPage(name, about, results));
+    writeChart(folder, "plans", plansPage(name, about, results, tolerances));
     writeFile(folder / "plans.csv", plansCsv(results));
     writeFile(folder / "plans.json", jsonText(Json::Object{{"schema", std::string(kSchema)},
                                                            {"program", versionText()},

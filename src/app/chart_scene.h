@@ -14,6 +14,7 @@ struct SceneChartOptions
 {
     std::string resolution; // empty: kChartResolution
     int directions = 256;
+    std::string tolerances = "standard"; // names or shares, separated by commas
     SceneOptions scene;
     CameraOptions camera;
     LightOptions light;

@@ -96,6 +96,8 @@ ExitCode run(const Options& options, const GlobalOptions& global)
                          "leave one of them out");
     if (!ofScene && !options.scene.resolution.empty())
         throw usageError("--resolution is of a scene's pictures", "name a scene, or leave it out");
+    if (!ofScene && options.scene.tolerances != "standard")
+        throw usageError("--tolerance is of a scene's plans", "name a scene, or leave it out");
     const fs::path folder = madeFolder(options.output);
     if (ofScene) {
         chartScene(options.scene, options.measuring, global, folder);

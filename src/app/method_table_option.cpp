@@ -5,7 +5,17 @@
 #include "core/read_file.h"
 #include "study/method_table_file.h"
 
+#include <CLI/CLI.hpp>
+
 namespace torrance {
+
+void declareMethodTableOption(CLI::App& app, std::string& name)
+{
+    app.add_option("--methods", name,
+                   "The table of torrance calibrate that a tolerance chooses from (default shipped: of lavapipe)")
+        ->group("Methods")
+        ->type_name("FILE");
+}
 
 NamedMethodTable loadMethodTable(const std::string& name, const gpu::DeviceDescription& device, bool anyDevice)
 {

@@ -6,7 +6,14 @@
 
 #include <string>
 
+namespace CLI {
+class App;
+}
+
 namespace torrance {
+
+/// --methods: a name for loadMethodTable.
+void declareMethodTableOption(CLI::App& app, std::string& name);
 
 struct NamedMethodTable
 {

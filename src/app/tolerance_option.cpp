@@ -1,5 +1,6 @@
 #include "app/tolerance_option.h"
 
+#include "app/method_table_option.h"
 #include "app/option_value.h"
 #include "brdf/slot_option.h"
 #include "core/error.h"
@@ -20,14 +21,6 @@ double shareOf(const std::string& option, const std::string& text)
     if (!(share > 0.0 && share <= 1.0))
         throw usageError(option + " " + text + ": must be above 0 and at most 1", "write 0.01, 1% or standard");
     return share;
-}
-
-double meanOf(const std::string& text)
-{
-    for (const NamedTolerance& named : kNamedTolerances)
-        if (text == named.name || (text.empty() && named.name == "standard"))
-            return named.mean;
-    return shareOf("--tolerance", text);
 }
 
 bool isReplaced(const std::string& argument, const TolerancePlan& plan)
@@ -53,6 +46,14 @@ Json rungsJson(const std::vector<Rung>& rungs)
 
 } // namespace
 
+double parseTolerance(const std::string& text)
+{
+    for (const NamedTolerance& named : kNamedTolerances)
+        if (text == named.name || (text.empty() && named.name == "standard"))
+            return named.mean;
+    return shareOf("--tolerance", text);
+}
+
 void declareToleranceOption(CLI::App& app, ToleranceOption& option)
 {
     option.given =
@@ -65,10 +66,7 @@ void declareToleranceOption(CLI::App& app, ToleranceOption& option)
     app.add_option("--tolerance-p99", option.percentile99, "The same of the 99th percentile of the pixels' errors")
         ->group("Methods")
         ->type_name("E");
-    app.add_option("--methods", option.methods,
-                   "The table of torrance calibrate that a tolerance chooses from (default shipped: of lavapipe)")
-        ->group("Methods")
-        ->type_name("FILE");
+    declareMethodTableOption(app, option.methods);
 }
 
 std::optional<Tolerance> chosenTolerance(const ToleranceOption& option)
@@ -80,7 +78,7 @@ std::optional<Tolerance> chosenTolerance(const ToleranceOption& option)
                              "add --tolerance");
         return std::nullopt;
     }
-    Tolerance tolerance = {.mean = meanOf(option.mean), .percentile99 = {}};
+    Tolerance tolerance = {.mean = parseTolerance(option.mean), .percentile99 = {}};
     if (!option.percentile99.empty())
         tolerance.percentile99 = shareOf("--tolerance-p99", option.percentile99);
     return tolerance;
@@ -122,14 +120,8 @@ Json toleranceJson(const ToleranceResult& result, const std::string& tableHash)
 std::string toleranceText(const ToleranceResult& result)
 {
     std::string text = "tolerance\n";
-    for (const ToleranceTrial& trial : result.trials) {
-        std::string methods;
-        for (const Rung& rung : trial.rungs)
-            methods += (methods.empty() ? "" : ", ") + nameOf(rung);
-        text += "  tried " + (methods.empty() ? "as asked" : methods) + ": mean " + boundedText(trial.mean) + "\n";
-    }
-    for (const Remark& remark : remarksOf(result.plan))
-        text += "  " + remark.subject + ": " + remark.choice + " (" + remark.reason + ")\n";
+    for (const std::string& line : toleranceLines(result))
+        text += "  " + line + "\n";
     return text;
 }
 

@@ -26,6 +26,9 @@ struct ToleranceOption
 
 void declareToleranceOption(CLI::App& app, ToleranceOption& option);
 
+/// A mean error as --tolerance takes it: a share or a name; "" is standard. Error (usage) as below.
+double parseTolerance(const std::string& text);
+
 /// Nothing where none was asked for. Error (usage) for a share that is not above 0 and at most 1, and for options that
 /// belong to a tolerance and have none.
 std::optional<Tolerance> chosenTolerance(const ToleranceOption& option);
@@ -36,7 +39,7 @@ std::vector<std::string> argumentsFound(std::vector<std::string> arguments, cons
 
 Json toleranceJson(const ToleranceResult& result, const std::string& tableHash);
 
-/// What was chosen and why, what was tried and how far off it was: for people.
+/// Of toleranceLines.
 std::string toleranceText(const ToleranceResult& result);
 
 } // namespace torrance

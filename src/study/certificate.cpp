@@ -61,6 +61,13 @@ std::optional<dvec4> backgroundOf(const Settings& settings)
     return std::nullopt;
 }
 
+/// Through some of its surfaces.
+bool showsBackground(const Scene& scene)
+{
+    return std::ranges::any_of(scene.materials,
+                               [](const Material& material) { return material.alphaMode == AlphaMode::blend; });
+}
+
 std::vector<std::size_t> pixelsOf(const std::vector<PixelStratum>& strata)
 {
     std::vector<std::size_t> pixels;
@@ -82,16 +89,24 @@ struct Looked
     std::span<const PixelError> sampleErrors() const { return std::span(errors).first(sampled); }
 };
 
+void pass(const Checkpoint& checkpoint)
+{
+    if (checkpoint)
+        checkpoint();
+}
+
 /// Directions of every pixel of the sample. The first look's estimates are thrown away: a pixel in which it missed a
 /// lamp looks even, and would keep its wrong mean.
 std::vector<int> effortsOf(const PixelEstimator& estimator, const std::vector<CoveredPixel>& covered,
-                           const std::vector<std::size_t>& sample, const CertificateRequest& request, int directions)
+                           const std::vector<std::size_t>& sample, const CertificateRequest& request, int directions,
+                           const Checkpoint& checkpoint)
 {
     if (!request.noise)
         return std::vector<int>(sample.size(), directions);
     const int few = std::max(directions / kFirstLook / kDirectionsPerRound, 1) * kDirectionsPerRound;
     std::vector<PixelSpread> spreads(sample.size());
     parallelFor(spreads.size(), 1, [&](std::size_t i) {
+        pass(checkpoint);
         const CoveredPixel& pixel = covered[sample[i]];
         const Replicates colors = estimator.replicates(pixel.x, pixel.y, few, request.seed + kFirstLookSeed).colors;
         const PixelError known = pixelError(colors.mean(), colors);
@@ -102,11 +117,12 @@ std::vector<int> effortsOf(const PixelEstimator& estimator, const std::vector<Co
 
 std::vector<Replicates> integrated(const PixelEstimator& estimator, const std::vector<CoveredPixel>& covered,
                                    const std::vector<std::size_t>& sample, const CertificateRequest& request,
-                                   int directions)
+                                   int directions, const Checkpoint& checkpoint)
 {
-    const std::vector<int> efforts = effortsOf(estimator, covered, sample, request, directions);
+    const std::vector<int> efforts = effortsOf(estimator, covered, sample, request, directions, checkpoint);
     std::vector<Replicates> truths(sample.size());
     parallelFor(truths.size(), 1, [&](std::size_t i) {
+        pass(checkpoint);
         const CoveredPixel& pixel = covered[sample[i]];
         truths[i] = estimator.replicates(pixel.x, pixel.y, efforts[i], request.seed).colors;
     });
@@ -246,6 +262,9 @@ void requireCertifiable(const Scene& scene, const Settings& settings)
     if (shadesOncePerPixel(settings))
         throw usageError("--certify compares what is shaded, and --pixel-sampling reconstructed mixes pixels at edges",
                          "certify --samples 1, which shades the same");
+    if (settings.backgroundBlur > 0.0 && (settings.samples > 1 || showsBackground(scene)))
+        throw usageError("--certify has no exact value of a blurred background, which pixels of surfaces show here",
+                         "leave --background-blur out: all else is the same");
     brdf::requireWholeBrdf(settings.methods);
     if (settings.methods.model->id == "phong" && scene.environment)
         throw usageError("--certify: the preset " + std::string(settings.methods.id) +
@@ -258,6 +277,9 @@ namespace {
 const Settings& requiredCertifiable(const Scene& scene, const Settings& settings, const CertificateRequest& request)
 {
     requireCertifiable(scene, settings);
+    if (settings.backgroundBlur > 0.0 && (request.sampling || request.transport))
+        throw usageError("--certify=sampling and =transport have no exact value of a blurred background",
+                         "leave --background-blur out");
     if (request.transport)
         requireTraceable(settings);
     return settings;
@@ -265,11 +287,12 @@ const Settings& requiredCertifiable(const Scene& scene, const Settings& settings
 
 } // namespace
 
-Certifier::Certifier(const Scene& s, const Camera& c, const Settings& settings, const CertificateRequest& r)
+Certifier::Certifier(const Scene& s, const Camera& c, const Settings& settings, const CertificateRequest& r,
+                     const Checkpoint& checkpoint)
     : scene(s), camera(c), request(r), asked(requiredCertifiable(s, settings, r)), exact(exactSettings(settings, r)),
       estimator(s, c, exact), covered(coveredPixels(estimator, settings.width, settings.height)),
       strata(drawSample(covered.size(), static_cast<std::size_t>(r.pixels), r.seed)), sample(pixelsOf(strata)),
-      truths(integrated(estimator, covered, sample, r, exact.directions))
+      truths(integrated(estimator, covered, sample, r, exact.directions, checkpoint))
 {
 }
 

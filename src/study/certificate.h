@@ -12,6 +12,7 @@
 #include "study/unvouched.h"
 
 #include <cstdint>
+#include <functional>
 #include <optional>
 #include <string>
 #include <vector>
@@ -93,13 +94,17 @@ enum class CertificateParts
     all,     // that the request asks for
 };
 
+/// Called before each pixel whose truth is computed, from any thread: what it throws ends the work.
+using Checkpoint = std::function<void()>;
+
 /// Pictures of one scene, certified one after the other: what they are compared with is computed once.
 class Certifier
 {
 public:
     /// Keeps references to scene and camera. Throws as requireCertifiable. The methods in `settings` are the model that
     /// is asked for; those that stand in for integrals may differ from picture to picture, all else may not.
-    Certifier(const Scene& scene, const Camera& camera, const Settings& settings, const CertificateRequest& request);
+    Certifier(const Scene& scene, const Camera& camera, const Settings& settings, const CertificateRequest& request,
+              const Checkpoint& checkpoint = {});
 
     /// As certify, of a picture drawn with these settings.
     Certificate judge(const Settings& settings, const Image& drawn, CertificateParts parts) const;

@@ -50,11 +50,15 @@ Json asJson(const ChartPage& page)
         Json::Array points;
         for (std::size_t i = 0; i < panel.marks.size(); ++i)
             points.push_back(markAsJson(panel.marks[i], i));
+        Json::Array rules;
+        for (const ChartRule& rule : panel.rules)
+            rules.emplace_back(Json::Object{{"label", rule.label}, {"y", rule.y}});
         panels.push_back(Json::Object{{"id", panel.id},
                                       {"kind", panel.kind == ChartKind::bars ? "bars" : "front"},
                                       {"x", panel.x},
                                       {"y", panel.y},
-                                      {"points", std::move(points)}});
+                                      {"points", std::move(points)},
+                                      {"rules", std::move(rules)}});
     }
     return Json::Object{{"panels", std::move(panels)}};
 }

@@ -25,6 +25,13 @@ struct ChartMark
     std::string citation;
 };
 
+/// A value of the y axis that points are held against.
+struct ChartRule
+{
+    std::string label;
+    double y = 0.0; // above 0
+};
+
 enum class ChartKind
 {
     front,
@@ -39,6 +46,7 @@ struct ChartPanel
     std::string text;
     std::string x, y; // axes
     std::vector<ChartMark> marks;
+    std::vector<ChartRule> rules = {};
     std::vector<std::string> columns; // of a table below, none: no table
     std::vector<std::vector<std::string>> rows;
     std::vector<bool> frontRows; // of the table

@@ -2,6 +2,9 @@
 
 #include "files/csv_read.h"
 #include "measure/pareto.h"
+#include "study/tolerance_variant.h"
+
+#include <algorithm>
 
 #include <fmt/format.h>
 #include <optional>
@@ -25,7 +28,14 @@ std::string percent(double share)
     return fmt::format("{:.3g} %", 100.0 * share);
 }
 
-ChartPanel frontPanel(const std::vector<PlanResult>& results, bool both)
+// A tolerance's plan; where there is none, what is drawn by default.
+bool isChosen(const PlanResult& result, const std::vector<PlanResult>& results)
+{
+    const bool hasTolerance = std::ranges::count(results, kToleranceKind, &PlanResult::kind) > 0;
+    return hasTolerance ? result.kind == kToleranceKind : result.name == kStandardPlan;
+}
+
+ChartPanel frontPanel(const std::vector<PlanResult>& results, bool both, const std::vector<Tolerance>& tolerances)
 {
     const std::vector<bool> front = frontOf(results, both);
     ChartPanel panel = {.id = both ? "both" : "shading",
@@ -40,6 +50,9 @@ ChartPanel frontPanel(const std::vector<PlanResult>& results, bool both)
                         .columns = {},
                         .rows = {},
                         .frontRows = {}};
+    if (!both) // a tolerance is of shading
+        for (const Tolerance& tolerance : tolerances)
+            panel.rules.push_back({toleranceName(tolerance), tolerance.mean});
     for (std::size_t i = 0; i < results.size(); ++i) {
         const PlanResult& r = results[i];
         panel.marks.push_back({.name = r.name,
@@ -49,7 +62,7 @@ ChartPanel frontPanel(const std::vector<PlanResult>& results, bool both)
                                .interval = std::nullopt,
                                .y = r.shading + (both ? r.sampling : 0.0),
                                .front = front[i],
-                               .chosen = r.name == kStandardPlan,
+                               .chosen = isChosen(r, results),
                                .details = {{"shading", percent(r.shading)},
                                            {"sampling", percent(r.sampling)},
                                            {"ms a frame", fmt::format("{:.3g}", r.milliseconds)},
@@ -86,7 +99,7 @@ ChartPanel barsPanel(const std::vector<PlanResult>& results)
                                    .interval = std::nullopt,
                                    .y = value,
                                    .front = false,
-                                   .chosen = r.name == kStandardPlan,
+                                   .chosen = isChosen(r, results),
                                    .details = {{part, percent(value)}},
                                    .picture = {},
                                    .error = {},
@@ -113,16 +126,19 @@ std::string plansCsv(const std::vector<PlanResult>& results)
     return text;
 }
 
-ChartPage plansPage(const std::string& scene, const std::string& about, const std::vector<PlanResult>& results)
+ChartPage plansPage(const std::string& scene, const std::string& about, const std::vector<PlanResult>& results,
+                    const std::vector<Tolerance>& tolerances)
 {
     return {
         .title = "What plans of " + scene + " cost, and how far off they are",
-        .introduction = {about,
-                         "Each plan differs from the preset standard in one thing. Cost: its frames in turn with "
-                         "standard's. Shading error: the sum of |d - c| over that of |c|, d one sample a pixel and c "
-                         "the exact integral of the preset standard over the surfaces that the device found. "
-                         "Blended surfaces do not count. Coloured: on the front. Diamond: what is drawn by default."},
-        .panels = {frontPanel(results, true), frontPanel(results, false), barsPanel(results)}};
+        .introduction =
+            {about,
+             "Each plan differs from the preset standard in one thing. Cost: its frames in turn with "
+             "standard's. Shading error: the sum of |d - c| over that of |c|, d one sample a pixel and c "
+             "the exact integral of the preset standard over the surfaces that the device found. "
+             "Blended surfaces do not count. Coloured: on the front. Diamond: what a tolerance chooses, whose line the "
+             "panel of shading has; without one, what is drawn by default."},
+        .panels = {frontPanel(results, true, tolerances), frontPanel(results, false, tolerances), barsPanel(results)}};
 }
 
 } // namespace torrance

@@ -90,6 +90,17 @@ std::string axesText(const ChartPanel& panel, const Frame& frame)
                               markupEscaped(panel.y));
 }
 
+std::string rulesText(const ChartPanel& panel, const Frame& frame)
+{
+    std::string text;
+    for (const ChartRule& rule : panel.rules)
+        text +=
+            fmt::format("<path d=\"M{0} {1:.1f}H{2}\" stroke=\"#b3121d\" stroke-dasharray=\"5 4\"/><text x=\"{2}\" "
+                        "y=\"{3:.1f}\" text-anchor=\"end\" fill=\"#b3121d\">{4}</text>\n",
+                        kLeft, frame.down(rule.y), kWidth - kRight, frame.down(rule.y) - 4, markupEscaped(rule.label));
+    return text;
+}
+
 std::string frontText(const ChartPanel& panel, const Frame& frame, const std::string& group, const char* color)
 {
     std::vector<const ChartMark*> front;
@@ -133,10 +144,12 @@ std::string panelText(const ChartPanel& panel, double top)
         if (std::ranges::find(groups, mark.group) == groups.end())
             groups.push_back(mark.group);
     }
+    for (const ChartRule& rule : panel.rules)
+        ys.push_back(rule.y);
     const Frame frame = {axisOf(xs), axisOf(ys), top};
     std::string text = fmt::format("<g><text x=\"{}\" y=\"{}\" font-size=\"18\" font-weight=\"bold\">{}</text>\n",
                                    kLeft, top + 26, markupEscaped(panel.title));
-    text += axesText(panel, frame);
+    text += axesText(panel, frame) + rulesText(panel, frame);
     for (std::size_t i = 0; i < groups.size(); ++i)
         text += frontText(panel, frame, groups[i], kColors[i % std::size(kColors)]);
     return text + marksText(panel, frame, groups) + "</g>\n";

@@ -65,7 +65,7 @@ ToleranceResult drawWithin(const ToleranceTask& task, const std::function<const 
     if (!request.noise)
         request.noise = std::clamp(kToleranceNoise * task.tolerance.mean, kLeastNoise, kMostNoise);
     std::optional<Certifier> certifier;
-    certifier.emplace(task.scene, task.camera, task.asked, request);
+    certifier.emplace(task.scene, task.camera, task.asked, request, task.checkpoint);
     ToleranceResult result;
     result.plan = planTolerance(task.table, task.tolerance, task.asked.methods, task.fixed, certifier->surfaces(),
                                 factsOf(task.scene, task.asked));
@@ -77,7 +77,7 @@ ToleranceResult drawWithin(const ToleranceTask& task, const std::function<const 
         while (isOpen(task.tolerance, result.certificate, share) &&
                request.pixels * kMorePixels <= kMostToleranceCertified) {
             request.pixels *= kMorePixels;
-            certifier.emplace(task.scene, task.camera, task.asked, request);
+            certifier.emplace(task.scene, task.camera, task.asked, request, task.checkpoint);
             result.certificate = certifier->judge(result.settings, drawn, CertificateParts::shading);
         }
         if (result.certificate.covered == 0)
@@ -97,6 +97,20 @@ ToleranceResult drawWithin(const ToleranceTask& task, const std::function<const 
             result.certificate = certifier->judge(result.settings, drawn, CertificateParts::all);
         return result;
     }
+}
+
+std::vector<std::string> toleranceLines(const ToleranceResult& result)
+{
+    std::vector<std::string> lines;
+    for (const ToleranceTrial& trial : result.trials) {
+        std::string methods;
+        for (const Rung& rung : trial.rungs)
+            methods += (methods.empty() ? "" : ", ") + nameOf(rung);
+        lines.push_back("tried " + (methods.empty() ? "as asked" : methods) + ": mean " + boundedText(trial.mean));
+    }
+    for (const Remark& remark : remarksOf(result.plan))
+        lines.push_back(remark.subject + ": " + remark.choice + " (" + remark.reason + ")");
+    return lines;
 }
 
 } // namespace torrance

@@ -47,10 +47,14 @@ struct ToleranceTask
     Tolerance tolerance;
     std::vector<brdf::Slot> fixed; // slots whose methods were asked for by name
     CertificateRequest request;
+    Checkpoint checkpoint = {};
 };
 
 /// `draw` gives what the device writes with these settings. Where nothing is covered, the certificate's `covered` is 0
 /// and nothing holds. Throws as requireCertifiable, and what `draw` throws.
 ToleranceResult drawWithin(const ToleranceTask& task, const std::function<const Image&(const Settings&)>& draw);
+
+/// What was chosen and why, what was tried and how far off it was, a line each: for people.
+std::vector<std::string> toleranceLines(const ToleranceResult& result);
 
 } // namespace torrance

@@ -6,6 +6,7 @@
 #include <filesystem>
 #include <fstream>
 #include <gtest/gtest.h>
+#include <map>
 #include <nlohmann/json.hpp>
 #include <thread>
 
@@ -80,6 +81,26 @@ TEST(Chart, GoesOnWhereItWasInterrupted)
         EXPECT_EQ(table["methods"][i], kept["rows"][i]["row"]) << "measured once";
 }
 
+// The plans of tolerances are found and charted once, and are as near as they say.
+TEST(Chart, ChartsWhatTolerancesChoose)
+{
+    const TestFolder folder;
+    const Outcome outcome =
+        runTorrance({"chart", "--primitive", "sphere", "--roughness", "0.5", "-e", "sky", "-r", "24x24", "--seconds",
+                     "0", "--tolerance", "draft,0.02", "-o", folder.file("out")});
+    ASSERT_EQ(outcome.exitCode, 0) << outcome.errors;
+    const json plans = json::parse(contentOf(folder.file("out/plans.json")));
+    std::map<std::string, double> chosen;
+    for (const json& plan : plans["plans"])
+        if (plan["kind"] == "tolerance")
+            chosen[plan["name"]] = plan["shading"];
+    ASSERT_EQ(chosen.size(), 2u);
+    EXPECT_LT(chosen.at("tolerance 5 %"), 0.05);
+    EXPECT_LT(chosen.at("tolerance 2 %"), 0.02);
+    const std::string page = contentOf(folder.file("out/plans.svg"));
+    EXPECT_NE(page.find("stroke-dasharray"), std::string::npos) << "lines of tolerances";
+}
+
 TEST(Chart, ChartsATableOfThisDeviceOnly)
 {
     const TestFolder folder;
@@ -108,6 +129,8 @@ TEST(Chart, RefusesWhatHasNoEffect)
                                                {"chart", "-o", out, "-r", "64x64"},
                                                {"chart", "-o", out, "--seconds", "-1"},
                                                {"chart", "-o", out, "-e", "none"},
+                                               {"chart", "-o", out, "demo", "--tolerance", "0"},
+                                               {"chart", "-o", out, "--tolerance", "draft"},
                                                {"calibrate"}})
     {
         const Outcome outcome = runTorrance(arguments);

@@ -26,7 +26,8 @@ setTimeout(() => {
   report.width = document.documentElement.scrollWidth;
   for (const place of document.querySelectorAll(".chart"))
     report.panels.push({ id: place.id, marks: place.querySelectorAll(".mark-symbol path, .mark-rect.dots path").length,
-                         axes: place.querySelectorAll(".role-axis").length });
+                         axes: place.querySelectorAll(".role-axis").length,
+                         rules: place.querySelectorAll(".mark-rule.limits line").length });
   const dot = document.querySelector(".chart .mark-symbol path"), box = dot.getBoundingClientRect();
   dot.dispatchEvent(new MouseEvent("mousemove", { bubbles: true, clientX: box.x + box.width / 2, clientY: box.y + box.height / 2 }));
   const tip = document.getElementById("tip");
@@ -59,7 +60,7 @@ def report_of(program, page, width):
     return json.loads(html.unescape(found.group(1)))
 
 
-def check(program, page, panels, images):
+def check(program, page, panels, images, rules):
     text = page.read_text()
     copy = page.with_name("opened_" + page.name)
     copy.write_text(text.replace("<body>", "<body>" + BEFORE, 1).replace("</body>", AFTER, 1))
@@ -70,6 +71,7 @@ def check(program, page, panels, images):
         assert not report["network"], where
         assert len(report["panels"]) == panels, where
         assert all(panel["marks"] > 0 and panel["axes"] >= 2 for panel in report["panels"]), where
+        assert [panel["rules"] for panel in report["panels"]] == rules, where
         assert report["tip"]["shown"] == "block" and report["tip"]["text"], where
         assert len(report["tip"]["images"]) == images and all(size > 0 for size in report["tip"]["images"]), where
         assert report["inside"] and report["width"] <= width, where
@@ -89,8 +91,8 @@ def main():
         if not (folder / "methods.html").exists():
             print("skipped: Torrance was built without Vega")
             return 77
-        check(program, folder / "methods.html", panels=2, images=2)
-        check(program, folder / "plans.html", panels=3, images=2)
+        check(program, folder / "methods.html", panels=2, images=2, rules=[0, 0])
+        check(program, folder / "plans.html", panels=3, images=2, rules=[0, 1, 0])  # of the standard tolerance, in the panel of shading
     return 0
 
 
