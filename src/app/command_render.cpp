@@ -114,11 +114,13 @@ Drawn drawOnce(Session& session, const std::string& input, LoadedScene& loaded, 
     Drawn drawn;
     drawn.settings = settings;
     drawn.plan = session.phases.time("plan", [&] { return makePlan(loaded.scene, settings); });
-    const DeviceScene deviceScene =
-        session.phases.time("upload", [&] { return session.renderer.upload(loaded.scene, drawn.plan, &camera); });
-    if (!session.certify)
-        for (TextureImage& image : loaded.scene.images)
-            std::vector<std::byte>().swap(image.texels); // the device has them
+    TexelsRead freeTexels;
+    if (!session.certify) // what is certified is compared with the texels
+        freeTexels = [&](int image) {
+            std::vector<std::byte>().swap(loaded.scene.images[static_cast<std::size_t>(image)].texels);
+        };
+    const DeviceScene deviceScene = session.phases.time(
+        "upload", [&] { return session.renderer.upload(loaded.scene, drawn.plan, &camera, freeTexels); });
     ProgressLine progress(input);
     drawn.picture = session.phases.time("draw", [&] {
         return session.renderer.render(deviceScene, camera, [&](int done, int all) { progress.show(done, all); });

@@ -89,14 +89,15 @@ DeviceScene Renderer::assemble(const Scene& scene, const ShadingPlan& plan, std:
                        .classMaterials = makeClassBlocks(device, plan, materials)};
 }
 
-DeviceScene Renderer::upload(const Scene& scene, const ShadingPlan& plan, const Camera* onlyCamera)
+DeviceScene Renderer::upload(const Scene& scene, const ShadingPlan& plan, const Camera* onlyCamera,
+                             const TexelsRead& texelsRead)
 {
     requireSampling(plan);
     return gpu::guarded(device, [&] {
         const std::vector<int> finest =
             onlyCamera ? finestLevels(scene, plan, *onlyCamera) : std::vector<int>(plan.textures.size(), 0);
         return assemble(scene, plan, finest, std::make_shared<MeshBuffers>(makeMeshBuffers(device, scene, plan)),
-                        std::make_shared<Textures>(device, scene, plan, finest));
+                        std::make_shared<Textures>(device, scene, plan, finest, texelsRead));
     });
 }
 
@@ -139,11 +140,12 @@ void Renderer::drawBackground(gpu::Commands& commands, const FrameInputs& frame)
     if (!frame.scene.plan.panorama)
         return; // the target was cleared to it
     const bool attributes = frame.scene.plan.path == RenderPath::attributes;
-    const gpu::Pipeline& pipeline = imagePipeline("passes/background.frag", "",
-                                                  {.name = "background",
-                                                   .colorFormats = {kColorFormat},
-                                                   .depthFormat = attributes ? kDepthStencilFormat : kDepthFormat,
-                                                   .depth = gpu::DepthUse::equal});
+    const gpu::Pipeline& pipeline =
+        imagePipeline("passes/background.frag", frame.scene.environment.background ? "#define BLURRED\n" : "",
+                      {.name = "background",
+                       .colorFormats = {kColorFormat},
+                       .depthFormat = attributes ? kDepthStencilFormat : kDepthFormat,
+                       .depth = gpu::DepthUse::equal});
     drawFullscreen(commands, pipeline, frame.bindings);
 }
 

@@ -111,11 +111,29 @@ gpu::DeviceImage makeTexture(const gpu::Device& device, const Scene& scene, cons
     return image;
 }
 
+// By Scene::images: one more than the number of the last texture that reads it; 0 where none does.
+std::vector<std::size_t> lastReaders(const Scene& scene, const ShadingPlan& plan)
+{
+    std::vector<std::size_t> readers(scene.images.size(), 0);
+    for (std::size_t i = 0; i < plan.textures.size(); ++i)
+        for (const ChannelSource& source : plan.textures[i].channels)
+            if (source.image >= 0)
+                readers[static_cast<std::size_t>(source.image)] = i + 1;
+    return readers;
+}
+
 } // namespace
 
 Textures::Textures(const gpu::Device& device, const Scene& scene, const ShadingPlan& plan,
-                   std::span<const int> finestLevels)
+                   std::span<const int> finestLevels, const TexelsRead& texelsRead)
 {
+    const std::vector<std::size_t> readers = lastReaders(scene, plan);
+    const auto tellRead = [&](std::size_t texturesMade) {
+        for (std::size_t image = 0; texelsRead && image < readers.size(); ++image)
+            if (readers[image] == texturesMade)
+                texelsRead(static_cast<int>(image));
+    };
+    tellRead(0);
     const auto lodBias = static_cast<float>(levelBias(plan.settings));
     for (std::size_t i = 0; i < plan.textures.size(); ++i) {
         const PlannedTexture& texture = plan.textures[i];
@@ -124,6 +142,7 @@ Textures::Textures(const gpu::Device& device, const Scene& scene, const ShadingP
         if (!samplers.contains(texture.sampler))
             samplers.emplace(texture.sampler, makeSampler(device, texture.sampler, lodBias));
         samplerOf.push_back(texture.sampler);
+        tellRead(i + 1);
     }
     gpu::Commands commands(device);
     commands.use(uses());

@@ -228,5 +228,28 @@ TEST(CountedWork, TheDeviceHoldsWhatTheSceneHas)
     EXPECT_EQ(shape.format, vk::Format::eR16G16B16A16Sfloat) << "a colour of 8 bits";
 }
 
+// Whoever owns the scene may free an image's texels as soon as the last texture that is made of them is there.
+TEST(CountedWork, TexelsCanBeFreedOneImageAfterTheOther)
+{
+    Scene scene = demoScene();
+    scene.images.push_back({.name = "unread", .width = 1, .height = 1, .texels = std::vector<std::byte>(4)});
+    Settings settings = settingsOf("standard", kSize);
+    const Camera camera = fitCamera(scene, {0.5, 1.2}, 1.0, 0.7, 0.05);
+    const Picture whole = draw(scene, camera, settings);
+    const ShadingPlan plan = makePlan(scene, settings);
+    ASSERT_GT(plan.textures.size(), 1u);
+    Renderer renderer(device(), shaders(), {});
+    std::vector<int> freed;
+    const DeviceScene onDevice = renderer.upload(scene, plan, nullptr, [&](int image) {
+        std::vector<std::byte>& texels = scene.images[static_cast<std::size_t>(image)].texels;
+        std::fill(texels.begin(), texels.end(), std::byte{0x55}); // whoever reads it again draws another picture
+        freed.push_back(image);
+    });
+    std::ranges::sort(freed);
+    for (std::size_t i = 0; i < scene.images.size(); ++i)
+        EXPECT_EQ(freed.at(i), static_cast<int>(i)) << "each once";
+    EXPECT_EQ(renderer.render(onDevice, camera).color.texels, whole.color.texels);
+}
+
 } // namespace
 } // namespace torrance::test
