@@ -45,6 +45,10 @@ std::optional<RenderPath> pathOf(const std::string& name)
 void declareFrameOptions(CLI::App& app, FrameOptions& o)
 {
     declarePictureOptions(app, o.picture);
+    app.add_option("--background-blur", o.backgroundBlur,
+                   "See the environment behind the scene through a lobe of this roughness, 0 (default) to 1")
+        ->group("Output")
+        ->check(CLI::Range(0.0, 1.0));
     app.add_option("--samples", o.samples, "Samples per pixel, placed by the reconstruction filter (default 1)")
         ->group("Output")
         ->check(CLI::Range(1, kMaxSamples));
@@ -70,6 +74,9 @@ Settings frameSettings(const FrameOptions& o, bool layers)
     const ivec2 size = chosenSize(o.picture);
     checkMemory(o.picture, bytesPerPixel(o, layers));
     const Background background = chosenBackground(o.picture);
+    if (o.backgroundBlur && background.kind != BackgroundKind::environment)
+        throw usageError("--background-blur is of the environment, and another background was asked for",
+                         "leave one of them out");
     const brdf::Preset methods = chooseMethods(o.methods);
     if (o.environmentSamples && !(methods.environmentSpecular && brdf::drawsSamples(*methods.environmentSpecular)))
         throw usageError("--environment-samples is for methods that draw samples, and the environment's is " +
@@ -87,6 +94,7 @@ Settings frameSettings(const FrameOptions& o, bool layers)
             .lightSamples = o.lightSamples.value_or(Settings().lightSamples),
             .background = background.kind,
             .backgroundColor = background.color,
+            .backgroundBlur = o.backgroundBlur.value_or(0.0),
             .path = pathOf(o.path),
             .layers = layers};
 }

@@ -17,6 +17,7 @@ namespace torrance {
 struct FrameOptions
 {
     PictureOptions picture;
+    std::optional<double> backgroundBlur;
     int samples = 1;
     std::string path = "auto";
     MethodOptions methods;
@@ -24,7 +25,8 @@ struct FrameOptions
     std::optional<int> lightSamples;
 };
 
-/// The options of the picture, --samples, --path, those of the methods, --environment-samples and --light-samples.
+/// The options of the picture, --background-blur, --samples, --path, those of the methods, --environment-samples and
+/// --light-samples.
 void declareFrameOptions(CLI::App& app, FrameOptions& options);
 
 /// Error (usage) where a picture is too large for this machine, options contradict each other or have no effect.

@@ -1,6 +1,7 @@
 #include "app/window_options.h"
 
 #include "app/device_option.h"
+#include "app/method_table_option.h"
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
@@ -10,10 +11,9 @@ namespace torrance {
 namespace {
 
 /// Of a scene and its methods, and nothing that the window changes.
-constexpr std::array kLasting = {"--primitive",  "--scene",         "--allow-external",     "--light-radius",
-                                 "--light",      "--quirk",         "--parameter",          "--material",
-                                 "--base-color", "--metallic",      "--roughness",          "--maps",
-                                 "--view-light", "--light-samples", "--environment-samples"};
+constexpr std::array kLasting = {"--primitive", "--scene",     "--allow-external", "--light-radius", "--light",
+                                 "--quirk",     "--parameter", "--material",       "--base-color",   "--metallic",
+                                 "--roughness", "--maps",      "--view-light"};
 
 } // namespace
 
@@ -28,6 +28,7 @@ void declareWindowOptions(CLI::App& app, WindowOptions& o)
     declareEnvironmentOptions(app, o.environment);
     declareLightOptions(app, o.light);
     declareViewOptions(app, o.view);
+    declareMethodTableOption(app, o.methods);
     declareDeviceOption(app, o.device);
     app.add_flag("--watch", o.watch, "Read the scene and the shaders again when they change")->group("Window");
     app.add_flag("--validation", o.validation,
@@ -36,6 +37,11 @@ void declareWindowOptions(CLI::App& app, WindowOptions& o)
     app.add_option("--report", o.report, "Write what the window shows as JSON whenever it changes, for scripts")
         ->group("Window")
         ->type_name("FILE");
+}
+
+bool choosesSize(const WindowOptions& options)
+{
+    return options.app->count("--resolution") > 0;
 }
 
 std::vector<std::string> lastingArguments(const WindowOptions& options)

@@ -22,7 +22,8 @@ struct WindowOptions
     EnvironmentOptions environment;
     LightOptions light;
     ViewOptions view;
-    OutputOptions output; // curves and exposure only
+    std::string methods = "shipped"; // the table that a tolerance chooses from
+    OutputOptions output;            // curves and exposure only
     std::string device;
     bool watch = false;
     bool validation = false;
@@ -31,6 +32,9 @@ struct WindowOptions
 };
 
 void declareWindowOptions(CLI::App& app, WindowOptions& options);
+
+/// Whether the window's size was given.
+bool choosesSize(const WindowOptions& options);
 
 /// The options that say what the scene is and are not changed in the window, as they were given.
 std::vector<std::string> lastingArguments(const WindowOptions& options);

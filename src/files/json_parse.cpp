@@ -105,6 +105,13 @@ double JsonView::number() const
     refuse("is no number");
 }
 
+bool JsonView::boolean() const
+{
+    if (const auto* flag = std::get_if<bool>(&value->value))
+        return *flag;
+    refuse("is neither true nor false");
+}
+
 double JsonView::numberOr(double otherwise) const
 {
     return std::holds_alternative<std::nullptr_t>(value->value) ? otherwise : number();

@@ -27,6 +27,7 @@ public:
 
     std::string text() const;
     double number() const;
+    bool boolean() const;
     /// `otherwise` for null: what a number that is not finite was written as.
     double numberOr(double otherwise) const;
 

@@ -24,6 +24,12 @@ std::array<vec3, 9> windowed(const std::array<vec3, 9>& harmonics)
     return result;
 }
 
+// Whose chain holds the radiance itself and its means over GGX lobes.
+const brdf::Method& splitSum()
+{
+    return *brdf::findMethod(brdf::Slot::environmentSpecular, "split_sum");
+}
+
 constexpr std::uintmax_t kMaxCacheBytes = 512u << 20; // some dozen environments
 
 } // namespace
@@ -56,8 +62,7 @@ const gpu::DeviceImage& EnvironmentStore::radianceCube(const Image& radiance, co
 // The radiance itself: level 0 of the chain.
 std::vector<float> EnvironmentStore::cubeTexels(const Image& radiance, const ContentHash& content, int& size)
 {
-    const brdf::Method& splitSum = *brdf::findMethod(brdf::Slot::environmentSpecular, "split_sum");
-    EnvironmentMaps maps = keptEnvironmentMaps(splitSum, radiance, content, cache);
+    EnvironmentMaps maps = keptEnvironmentMaps(splitSum(), radiance, content, cache);
     size = maps.specular.size;
     return std::move(maps.specular.data.front());
 }
@@ -148,7 +153,9 @@ EnvironmentImages EnvironmentStore::get(const Scene& scene, const ShadingPlan& p
         const ContentHash content = panoramaContent(radiance);
         if (plan.environmentLight)
             addLight(images, radiance, content, plan.settings);
-        if (plan.panorama)
+        if (plan.panorama && plan.settings.backgroundBlur > 0.0)
+            images.background = &lightCubes(radiance, content, splitSum()).specular;
+        else if (plan.panorama)
             images.panorama = &panorama(radiance, content);
     }
     if (plan.dfgTable)

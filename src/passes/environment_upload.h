@@ -28,8 +28,9 @@ struct EnvironmentImages
     const gpu::DeviceImage* radiance = nullptr; // cube with plain mips, for methods that draw samples
     const gpu::DeviceImage* lamps = nullptr;    // what was taken out of it, as environment_lamps.h has it
     std::span<const brdf::LampPoint> lampPoints = {};
-    const gpu::DeviceImage* panorama = nullptr; // lat-long, with mips: seen behind the scene, or in its mirrors
-    const gpu::DeviceImage* dfg = nullptr;      // directional albedos
+    const gpu::DeviceImage* panorama = nullptr;   // lat-long, with mips: seen behind the scene, or in its mirrors
+    const gpu::DeviceImage* background = nullptr; // cube, prefiltered chain: what is seen behind the scene in its place
+    const gpu::DeviceImage* dfg = nullptr;        // directional albedos
 };
 
 /// An environment of which lamps were taken out.

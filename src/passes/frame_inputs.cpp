@@ -1,6 +1,7 @@
 #include "passes/frame_inputs.h"
 
 #include "passes/frame_data.h"
+#include "prepare/environment_maps.h"
 #include "scene/camera_view.h"
 #include "shaders/shared/bindings.h"
 
@@ -25,6 +26,11 @@ shared::Frame frameOf(const DeviceScene& scene, const Camera& camera, const dvec
     const int panoramaWidth = environment.panorama ? static_cast<int>(environment.panorama->shape.width) : 0;
     shared::Frame frame = makeFrame(scene.scene, scene.plan, camera, offset, levels, panoramaWidth);
     std::ranges::copy(environment.harmonics, frame.irradianceHarmonics);
+    if (environment.background) {
+        const double roughness = scene.plan.settings.backgroundBlur;
+        frame.panoramaLevel =
+            static_cast<float>(alphaLevel(roughness * roughness, static_cast<int>(environment.background->shape.mips)));
+    }
     frame.picture = static_cast<std::uint32_t>(picture);
     return frame;
 }
@@ -55,6 +61,8 @@ gpu::Bindings bindingsOf(const FrameInputs& frame, const FrameSamplers& samplers
         bindings.set(shared::kBindEnvironmentLamps, *environment.lamps, samplers.table);
     if (environment.dfg)
         bindings.set(shared::kBindDfg, *environment.dfg, samplers.table);
+    if (environment.background)
+        bindings.set(shared::kBindBackground, *environment.background, samplers.table);
     if (environment.panorama)
         bindings.set(shared::kBindPanorama, *environment.panorama, samplers.panorama);
     return bindings;
@@ -88,7 +96,7 @@ void useFrame(gpu::Commands& commands, const FrameInputs& frame)
 {
     std::vector<gpu::ImageUse> images = frame.scene.textures->uses();
     const EnvironmentImages& e = frame.scene.environment;
-    for (const gpu::DeviceImage* image : {e.specular, e.diffuse, e.radiance, e.lamps, e.dfg, e.panorama})
+    for (const gpu::DeviceImage* image : {e.specular, e.diffuse, e.radiance, e.lamps, e.dfg, e.panorama, e.background})
         if (image)
             images.push_back(gpu::use(*image, gpu::Access::sampled));
     const std::array buffers = {gpu::use(frame.frame, gpu::Access::shaderRead),

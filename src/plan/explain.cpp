@@ -47,7 +47,10 @@ void addDrawn(std::string& text, const ShadingPlan& plan)
         text += "  light " + std::to_string(i) + ": " +
                 (plan.lights[i].name.empty() ? "unnamed" : plan.lights[i].name) + "\n";
     text += std::string("  environment: ") + (plan.environmentLight ? "lights the scene" : "lights nothing") +
-            (plan.panorama ? ", is seen behind it" : ", is not seen") + "\n";
+            (!plan.panorama                       ? ", is not seen"
+             : plan.settings.backgroundBlur > 0.0 ? ", is seen behind it, blurred"
+                                                  : ", is seen behind it") +
+            "\n";
     text += std::string("  path: ") + nameOf(plan.path);
     if (plan.path == RenderPath::deferred)
         text += ", " + counted(plan.lightingClasses.size(), "lighting pass", "lighting passes");

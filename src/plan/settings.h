@@ -34,7 +34,9 @@ struct Settings
     int environmentSamples = 64; // per pixel and picture, of methods of environmentSpecular that draw samples
     int lightSamples = 64;       // per pixel, picture and light with a radius, of the method `sampled` of areaLight
     BackgroundKind background = BackgroundKind::environment;
-    dvec3 backgroundColor = dvec3(0.0);  // scene-linear
+    dvec3 backgroundColor = dvec3(0.0); // scene-linear
+    double backgroundBlur = 0.0; // of BackgroundKind::environment: the perceptual roughness (0 to 1) of the GGX kernel
+                                 // of N = V = R that it is seen through
     std::optional<RenderPath> path = {}; // none: the plan chooses
     const View* view = nullptr;          // a term instead of the colour; null: the colour
     int viewLight = 0;                   // of ShadingPlan::lights

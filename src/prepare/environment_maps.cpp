@@ -53,6 +53,11 @@ double levelAlpha(int level, int levels)
     return (std::pow(101.0, static_cast<double>(level) / (levels - 1)) - 1.0) / 100.0;
 }
 
+double alphaLevel(double alpha, int levels)
+{
+    return (levels - 1) * std::log2(1.0 + 100.0 * alpha) / std::log2(101.0);
+}
+
 int cubeSizeFor(int panoramaWidth)
 {
     const auto quarter = static_cast<unsigned>((std::min(panoramaWidth, 4 * kGreatestCubeSize) + 3) / 4);

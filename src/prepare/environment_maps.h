@@ -27,6 +27,9 @@ struct EnvironmentMaps
 /// log2(101): levels lie densest where reflections change fastest.
 double levelAlpha(int level, int levels);
 
+/// That inverse: between 0 and levels - 1, for alpha from 0 to 1.
+double alphaLevel(double alpha, int levels);
+
 /// Faces of the radiance cube of a panorama of this width: the power of two at or above width / 4, within the limits
 /// above.
 int cubeSizeFor(int panoramaWidth);

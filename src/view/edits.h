@@ -65,7 +65,7 @@ public:
 
     /// Materials or their places differ from what was loaded or saved last.
     bool isDirty() const;
-    void markSaved() { saved = present; }
+    void markSaved(Edits edits) { saved = std::move(edits); }
     /// As they were read.
     const Edits& loaded() const { return asLoaded; }
 

@@ -8,13 +8,50 @@
 
 #include <algorithm>
 #include <cstdlib>
+#include <functional>
+#include <optional>
 
 namespace torrance {
 namespace {
 
-std::filesystem::path recentFile(const std::filesystem::path& folder)
+constexpr const char *kRecentFile = "recent.json", *kSettingsFile = "settings.json";
+constexpr double kLeastWindow = 64.0, kMostWindow = 16384.0; // a side
+constexpr double kMostTurntableFrames = 360.0, kMostLampSpeed = 180.0;
+
+// Nothing where there is no such file; one that is damaged is warned of, and `take` may have taken a part.
+void readKept(const std::filesystem::path& file, const std::function<void(const JsonView&)>& take)
 {
-    return folder / "recent.json";
+    std::error_code failure;
+    if (!std::filesystem::is_regular_file(file, failure))
+        return;
+    try {
+        const std::vector<std::byte> bytes = readFile(file.string());
+        const Json json = parseJson({reinterpret_cast<const char*>(bytes.data()), bytes.size()}, file.string());
+        take(JsonView(json, file.string()));
+    } catch (const Error& error) {
+        logWarning(error.what());
+    }
+}
+
+void writeKept(const std::filesystem::path& folder, const char* name, const Json& json)
+{
+    if (folder.empty())
+        return;
+    try {
+        std::error_code ignored; // writing says what is wrong
+        std::filesystem::create_directories(folder, ignored);
+        writeFile((folder / name).string(), jsonText(json));
+    } catch (const Error& error) {
+        logWarning(error.what());
+    }
+}
+
+template <typename Number>
+void takeNumber(const JsonView& json, Number& value, double least, double greatest)
+{
+    const double number = json.number();
+    if (number >= least && number <= greatest)
+        value = static_cast<Number>(number);
 }
 
 } // namespace
@@ -30,22 +67,16 @@ std::filesystem::path userConfigFolder()
 
 std::vector<std::string> loadRecent(const std::filesystem::path& configFolder)
 {
-    std::error_code failure;
-    const std::filesystem::path file = recentFile(configFolder);
-    if (configFolder.empty() || !std::filesystem::is_regular_file(file, failure))
-        return {};
-    try {
-        const std::vector<std::byte> bytes = readFile(file.string());
-        const Json json = parseJson({reinterpret_cast<const char*>(bytes.data()), bytes.size()}, file.string());
-        std::vector<std::string> recent;
-        for (const JsonView& entry : JsonView(json, file.string()).member("recent").elements())
-            recent.push_back(entry.text());
-        recent.resize(std::min(recent.size(), kMostRecent));
-        return recent;
-    } catch (const Error& error) {
-        logWarning(error.what());
-        return {};
-    }
+    std::vector<std::string> recent;
+    if (!configFolder.empty())
+        readKept(configFolder / kRecentFile, [&](const JsonView& json) {
+            std::vector<std::string> read;
+            for (const JsonView& entry : json.member("recent").elements())
+                read.push_back(entry.text());
+            recent = std::move(read);
+        });
+    recent.resize(std::min(recent.size(), kMostRecent));
+    return recent;
 }
 
 std::vector<std::string> keepRecent(const std::filesystem::path& configFolder, std::vector<std::string> recent,
@@ -55,17 +86,38 @@ std::vector<std::string> keepRecent(const std::filesystem::path& configFolder, s
     std::erase(recent, path);
     recent.insert(recent.begin(), path);
     recent.resize(std::min(recent.size(), kMostRecent));
-    if (configFolder.empty())
-        return recent;
-    try {
-        std::error_code ignored; // writing says what is wrong
-        std::filesystem::create_directories(configFolder, ignored);
-        writeFile(recentFile(configFolder),
-                  jsonText(Json::Object{{"recent", Json::Array(recent.begin(), recent.end())}}));
-    } catch (const Error& error) {
-        logWarning(error.what());
-    }
+    writeKept(configFolder, kRecentFile, Json::Object{{"recent", Json::Array(recent.begin(), recent.end())}});
     return recent;
+}
+
+KeptSettings loadSettings(const std::filesystem::path& configFolder)
+{
+    KeptSettings settings;
+    if (!configFolder.empty())
+        readKept(configFolder / kSettingsFile, [&](const JsonView& json) {
+            KeptSettings read;
+            takeNumber(json.member("width"), read.windowSize.x, kLeastWindow, kMostWindow);
+            takeNumber(json.member("height"), read.windowSize.y, kLeastWindow, kMostWindow);
+            read.showPanels = json.member("panels").boolean();
+            takeNumber(json.member("turntable_frames"), read.turntableFrames, 2.0, kMostTurntableFrames);
+            takeNumber(json.member("tolerance"), read.tolerance, 1e-6, 1.0);
+            takeNumber(json.member("lamp_speed"), read.lampSpeed, -kMostLampSpeed, kMostLampSpeed);
+            if (read.windowSize.x == 0 || read.windowSize.y == 0)
+                read.windowSize = ivec2(0);
+            settings = read;
+        });
+    return settings;
+}
+
+void keepSettings(const std::filesystem::path& configFolder, const KeptSettings& settings)
+{
+    writeKept(configFolder, kSettingsFile,
+              Json::Object{{"width", settings.windowSize.x},
+                           {"height", settings.windowSize.y},
+                           {"panels", settings.showPanels},
+                           {"turntable_frames", settings.turntableFrames},
+                           {"tolerance", settings.tolerance},
+                           {"lamp_speed", settings.lampSpeed}});
 }
 
 } // namespace torrance

@@ -1,6 +1,8 @@
 // What the window remembers from one time to the next.
 #pragma once
 
+#include "math/vector.h"
+
 #include <filesystem>
 #include <string>
 #include <vector>
@@ -18,5 +20,23 @@ std::vector<std::string> loadRecent(const std::filesystem::path& configFolder);
 /// With `file` in front, as it is kept from now on. A folder that cannot be written is no reason to fail.
 std::vector<std::string> keepRecent(const std::filesystem::path& configFolder, std::vector<std::string> recent,
                                     const std::string& file);
+
+/// What of the window's own is as it was left.
+struct KeptSettings
+{
+    ivec2 windowSize = ivec2(0); // in the desktop's coordinates; 0: none is kept
+    bool showPanels = true;
+    int turntableFrames = 36;
+    double tolerance = 0.01;
+    double lampSpeed = 30.0; // degrees a second
+
+    bool operator==(const KeptSettings&) const = default;
+};
+
+/// As for loadRecent: those above where there are none. A number out of its range is its default.
+KeptSettings loadSettings(const std::filesystem::path& configFolder);
+
+/// A folder that cannot be written is no reason to fail.
+void keepSettings(const std::filesystem::path& configFolder, const KeptSettings& settings);
 
 } // namespace torrance

@@ -1,8 +1,10 @@
 #include "view/edit_scope.h"
 #include "view/panels.h"
+#include "view/panorama_thumbnails.h"
 #include "view/widgets.h"
 
 #include <algorithm>
+#include <filesystem>
 #include <fmt/format.h>
 #include <imgui.h>
 
@@ -11,17 +13,55 @@ namespace {
 
 constexpr double kHalfPi = kPi / 2.0;
 
-void drawEnvironment(const PanelContext& context, EditScope& edit)
+// One of the environments, as a picture with its name below; true where it was clicked.
+bool environmentButton(const PanelContext& context, const std::string& name, bool chosen, const ImVec2& size)
+{
+    ImGui::PushID(name.c_str());
+    ImGui::BeginGroup();
+    const gpu::DeviceImage* picture = name == "none" ? nullptr : context.panoramas.get(name);
+    ImGui::PushStyleColor(ImGuiCol_Button, ImGui::GetStyleColorVec4(chosen ? ImGuiCol_ButtonActive : ImGuiCol_Button));
+    const int edge = static_cast<int>(0.2f * context.unit);
+    const bool clicked =
+        picture ? ImGui::ImageButton(const_cast<gpu::DeviceImage*>(picture), size, {0.0f, 0.0f}, {1.0f, 1.0f}, edge)
+                : ImGui::Button("##none", {size.x + 2.0f * float(edge), size.y + 2.0f * float(edge)});
+    context.mark("light.environment." + name);
+    tipOfItem(name);
+    ImGui::PopStyleColor();
+    const float width = ImGui::GetItemRectSize().x;
+    const ImVec2 corner = ImGui::GetCursorScreenPos();
+    const std::string title = std::filesystem::path(name).stem().string();
+    ImGui::PushClipRect(corner, {corner.x + width, corner.y + 2.0f * context.unit}, true);
+    ImGui::TextUnformatted(title.c_str());
+    ImGui::PopClipRect();
+    ImGui::EndGroup();
+    ImGui::PopID();
+    return clicked;
+}
+
+void chooseEnvironment(const PanelContext& context, EditScope& edit)
 {
     ViewerState& state = context.state;
     EnvironmentChoice& choice = edit.edits.environment;
-    const auto found = std::ranges::find(state.environments, choice.name);
-    int chosen = static_cast<int>(found - state.environments.begin());
-    if (choose(context, "environment", state.environments, chosen)) {
-        choice.name = state.environments[static_cast<std::size_t>(chosen)];
-        edit.finish();
+    constexpr std::size_t kColumns = 3;
+    const float width = ImGui::GetContentRegionAvail().x / float(kColumns) - context.unit;
+    for (std::size_t i = 0; i < state.environments.size(); ++i) {
+        if (i % kColumns != 0)
+            ImGui::SameLine(float(i % kColumns) * (width + context.unit) + 0.5f * context.unit);
+        const std::string& name = state.environments[i];
+        if (environmentButton(context, name, name == choice.name, {width, 0.5f * width}) && name != choice.name) {
+            choice.name = name;
+            edit.finish();
+        }
     }
-    context.mark("light.environment");
+    if (ImGui::Button("Another panorama ..."))
+        askForEnvironment(context);
+    context.mark("light.file");
+}
+
+void drawEnvironment(const PanelContext& context, EditScope& edit)
+{
+    EnvironmentChoice& choice = edit.edits.environment;
+    chooseEnvironment(context, edit);
     if (choice.name == "none")
         return;
     edit.after(sliderDouble("rotation", choice.rotation, -180.0, 180.0, "%.1f degrees"));
@@ -29,6 +69,11 @@ void drawEnvironment(const PanelContext& context, EditScope& edit)
     tipOfItem("Or drag in the picture with Shift held.");
     edit.after(dragDouble("intensity##environment", choice.intensity, 0.01, 0.0, 1e6));
     context.mark("light.intensity");
+    if (context.state.settings.background != BackgroundKind::environment)
+        return;
+    context.state.changed |= sliderDouble("background blur", context.state.settings.backgroundBlur, 0.0, 1.0);
+    context.mark("light.blur");
+    tipOfItem("What is seen behind the scene, through a lobe of this roughness; the light stays as it is.");
 }
 
 void drawLight(const PanelContext& context, EditScope& edit, Light& light, double size)
@@ -94,6 +139,12 @@ void drawLightPanel(const PanelContext& context)
         edit.finish();
     }
     context.mark("light.add");
+    if (lights.empty())
+        return;
+    if (ImGui::Checkbox("Turn them about the scene", &state.lampsTurn) && !state.lampsTurn)
+        edit.finish(); // where they are now
+    context.mark("light.turn");
+    sliderDouble("speed", state.lampSpeed, -180.0, 180.0, "%.0f degrees a second");
 }
 
 } // namespace torrance

@@ -1,3 +1,4 @@
+#include "brdf/environment.h"
 #include "plan/path_plan.h"
 #include "plan/view.h"
 #include "view/panels.h"
@@ -10,6 +11,9 @@
 
 namespace torrance {
 namespace {
+
+constexpr int kMostSamplesLog2 = 12;
+constexpr double kLeastPercent = 0.1, kMostPercent = 10.0; // of the slider for a tolerance
 
 using brdf::Method;
 using brdf::Slot;
@@ -137,6 +141,55 @@ void drawErrors(const PanelContext& context)
                      100.0 * state.errors.noise));
 }
 
+// Directions of a method that sums over some.
+void chooseSamples(const PanelContext& context, const char* label, int& samples)
+{
+    int exponent = static_cast<int>(std::lround(std::log2(samples)));
+    if (ImGui::SliderInt(label, &exponent, 0, kMostSamplesLog2, fmt::format("{}", samples).c_str(),
+                         ImGuiSliderFlags_AlwaysClamp | ImGuiSliderFlags_NoInput))
+    {
+        samples = 1 << exponent;
+        context.state.changed = true;
+    }
+    context.mark(std::string("method.") + label);
+}
+
+void drawTolerance(const PanelContext& context)
+{
+    ViewerState& state = context.state;
+    double percent = 100.0 * state.tolerance;
+    if (sliderDouble("tolerance", percent, kLeastPercent, kMostPercent, "%.2g %% of the light",
+                     ImGuiSliderFlags_Logarithmic))
+        state.tolerance = percent / 100.0;
+    context.mark("method.tolerance");
+    tipOfItem("The mean shading error that the picture may have, as --tolerance has it.");
+    if (state.findsMethods) {
+        if (ImGui::Button("Stop"))
+            state.requests.push_back(StopFinding{});
+        context.mark("method.stop");
+        ImGui::SameLine();
+        ImGui::TextUnformatted(state.pictureTried == 0
+                                   ? "finding out what is exact"
+                                   : fmt::format("picture {} is compared", state.pictureTried).c_str());
+        return;
+    }
+    if (ImGui::Button("Find the cheapest methods within it"))
+        state.requests.push_back(FindMethods{{.mean = state.tolerance, .percentile99 = {}}});
+    context.mark("method.find");
+    tipOfItem("Draws, compares some pixels with exact light, and takes nearer methods until the picture is within.");
+    if (!state.found)
+        return;
+    const ToleranceResult& found = *state.found;
+    if (state.scenesDrawn > state.foundAt)
+        note("What was found for an earlier picture:");
+    ImGui::Text("%.2g %%: %s", 100.0 * found.plan.tolerance.mean,
+                found.holds ? "the picture is within it" : "out of reach");
+    if (!found.obstacle.empty())
+        note(found.obstacle);
+    for (const std::string& line : toleranceLines(found))
+        note(line);
+}
+
 std::string colorText(const dvec3& c)
 {
     return c.x == c.y && c.y == c.z ? fmt::format("{:.6g}", c.x) : fmt::format("{:.5g} {:.5g} {:.5g}", c.x, c.y, c.z);
@@ -196,7 +249,13 @@ void drawMethodPanel(const PanelContext& context)
     for (const Slot slot : brdf::allSlots())
         if (isChosenInPresets(slot))
             chooseMethod(context, slot);
+    const brdf::Preset& methods = context.state.settings.methods;
+    if (methods.environmentSpecular && brdf::drawsSamples(*methods.environmentSpecular))
+        chooseSamples(context, "environment samples", context.state.settings.environmentSamples);
+    if (methods.areaLight && methods.areaLight->id == "sampled")
+        chooseSamples(context, "light samples", context.state.settings.lightSamples);
     choosePath(context);
+    drawTolerance(context);
     ImGui::Checkbox("Show the plan", &context.state.showPlan);
     context.mark("method.plan");
     drawErrors(context);

@@ -9,6 +9,7 @@
 namespace torrance {
 
 class Thumbnails;
+class PanoramaThumbnails;
 class FileBrowser;
 
 /// Where things stand in the window, in its coordinates, by name: for the report, which tests and scripts click by.
@@ -21,6 +22,7 @@ struct PanelContext
     const ViewerHost& host;
     FileBrowser& browser;
     Thumbnails& thumbnails;
+    PanoramaThumbnails& panoramas;
     Places& places;
     float unit; // height of a line of text: panels are laid out in these
 
@@ -39,6 +41,7 @@ void drawDialogs(const PanelContext& context);
 
 /// Open the file browser with their question.
 void askForScene(const PanelContext& context);
+void askForEnvironment(const PanelContext& context);
 void askForPicture(const PanelContext& context);
 void askForSave(const PanelContext& context);
 void askForTurntable(const PanelContext& context);

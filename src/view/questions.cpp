@@ -40,6 +40,18 @@ void askForScene(const PanelContext& context)
          .chosen = [&state](const std::filesystem::path& path) { state.requests.push_back(openingOf(path)); }});
 }
 
+void askForEnvironment(const PanelContext& context)
+{
+    ViewerState& state = context.state;
+    context.browser.ask({.title = "Open a panorama",
+                         .endings = {".hdr", ".exr"},
+                         .saves = false,
+                         .name = {},
+                         .chosen = [&state](const std::filesystem::path& path) {
+                             state.requests.push_back(OpenEnvironment{path.string()});
+                         }});
+}
+
 void askForPicture(const PanelContext& context)
 {
     askWhere<SavePicture>(context, "Save the picture", kPictures, stemOf(context.state) + ".png");

@@ -1,5 +1,6 @@
 #include "view/render_command.h"
 
+#include "brdf/environment.h"
 #include "brdf/slot_option.h"
 #include "image/tone_curves.h"
 #include "plan/path_plan.h"
@@ -57,6 +58,12 @@ void addMethods(const Settings& settings, std::vector<std::string>& arguments)
         if (method && method != preset[slot])
             arguments.push_back(brdf::slotOption(slot) + "=" + std::string(method->id));
     }
+    if (const brdf::Method* specular = settings.methods.environmentSpecular;
+        specular && brdf::drawsSamples(*specular) && settings.environmentSamples != Settings().environmentSamples)
+        arguments.push_back(fmt::format("--environment-samples={}", settings.environmentSamples));
+    if (const brdf::Method* area = settings.methods.areaLight;
+        area && area->id == "sampled" && settings.lightSamples != Settings().lightSamples)
+        arguments.push_back(fmt::format("--light-samples={}", settings.lightSamples));
     if (settings.path)
         arguments.push_back(std::string("--path=") + nameOf(*settings.path));
     if (settings.view)
@@ -74,6 +81,8 @@ void addPicture(const ViewerState& state, std::vector<std::string>& arguments)
     else if (settings.background == BackgroundKind::color)
         arguments.push_back(fmt::format("--background={},{},{}", settings.backgroundColor.x, settings.backgroundColor.y,
                                         settings.backgroundColor.z));
+    else if (settings.backgroundBlur > 0.0)
+        arguments.push_back(fmt::format("--background-blur={}", settings.backgroundBlur));
     if (state.write.transfer->id != settings.methods.transfer)
         arguments.push_back("--transfer=" + std::string(state.write.transfer->id));
     if (settings.view)

@@ -4,7 +4,6 @@
 #include "passes/targets.h"
 #include "plan/pixel_sampling_plan.h"
 #include "scene/default_view.h"
-#include "view/kept_settings.h"
 #include "view/viewer_report.h"
 
 #include <algorithm>
@@ -29,6 +28,11 @@ vk::Extent2D extentOf(const ivec2& size)
     return {static_cast<std::uint32_t>(size.x), static_cast<std::uint32_t>(size.y)};
 }
 
+ivec2 firstSize(const ViewerHost& host, const KeptSettings& kept)
+{
+    return host.choosesSize || kept.windowSize == ivec2(0) ? host.windowSize : kept.windowSize;
+}
+
 } // namespace
 
 void Viewer::attempt(const std::function<void()>& work)
@@ -45,11 +49,15 @@ void Viewer::attempt(const std::function<void()>& work)
 }
 
 Viewer::Viewer(ViewerHost h)
-    : host(std::move(h)), window("Torrance", host.windowSize), panelLibrary(window),
-      device(deviceOptions(host, window)), shaders(host.shaderFolder, host.cacheFolder),
+    : host(std::move(h)), kept(loadSettings(host.configFolder)), window("Torrance", firstSize(host, kept)),
+      panelLibrary(window), device(deviceOptions(host, window)), shaders(host.shaderFolder, host.cacheFolder),
       renderer(device, shaders, host.cacheFolder), swapchain(device, window.makeSurface(device)),
-      display(device, shaders, swapchain.format()), panelRenderer(device, shaders, swapchain.format()),
-      thumbnails(device), survey(Window::wake), sceneTask(Window::wake), environmentTask(Window::wake)
+      display(device, shaders, swapchain.format()), outline(device, shaders),
+      panelRenderer(device, shaders, swapchain.format()), thumbnails(device),
+      panoramas(
+          device, [this](const std::string& name) { return this->host.loadEnvironment({.name = name}); }, Window::wake),
+      survey(Window::wake), search(Window::wake), sceneTask(Window::wake), environmentTask(Window::wake),
+      saveTask(Window::wake)
 {
     state.settings = host.settings;
     state.fileSamples = host.settings.samples;
@@ -58,6 +66,10 @@ Viewer::Viewer(ViewerHost h)
     state.write = host.write;
     state.deviceName = device.description.name;
     state.recent = loadRecent(host.configFolder);
+    state.showPanels = kept.showPanels;
+    state.turntableFrames = kept.turntableFrames;
+    state.tolerance = kept.tolerance;
+    state.lampSpeed = kept.lampSpeed;
     state.environments = host.environments;
     if (host.watch)
         watchedShaders.emplace(host.shaderFolder);
@@ -98,17 +110,32 @@ void Viewer::run()
         }
         buildPanels();
         handleRequests();
+        attempt([&] { panoramas.step(); });
         attempt([&] { stepTurntable(); });
+        turnLamps();
+        attempt([&] { stepMethodSearch(); });
         drawScene();
         showPicture();
         report();
     }
+    if (const KeptSettings now = settingsToKeep(); now != kept)
+        keepSettings(host.configFolder, now);
+}
+
+KeptSettings Viewer::settingsToKeep() const
+{
+    return {.windowSize = window.size(),
+            .showPanels = state.showPanels,
+            .turntableFrames = state.turntableFrames,
+            .tolerance = state.tolerance,
+            .lampSpeed = state.lampSpeed};
 }
 
 void Viewer::waitForEvents()
 {
-    const bool works = sceneTask.isRunning() || environmentTask.isRunning();
-    if (settling > 0 || !state.requests.empty() || !window.keyEvents.empty()) // of keys, a picture takes a part
+    const bool works = sceneTask.isRunning() || environmentTask.isRunning() || saveTask.isRunning();
+    if (settling > 0 || state.lampsTurn || !state.requests.empty() ||
+        !window.keyEvents.empty()) // of keys, a picture takes a part
         window.handleEvents(false);
     else if (works)
         window.handleEvents(kProgressSeconds);
@@ -139,6 +166,7 @@ void Viewer::takeResults()
     if (!sceneTask.isRunning() && openNext)
         state.requests.push_back(*std::exchange(openNext, std::nullopt));
     takeEnvironment();
+    attempt([&] { takeSaved(); });
 }
 
 void Viewer::takeDropped()
@@ -206,7 +234,7 @@ void Viewer::buildPanels()
 {
     const std::vector<KeyPress> presses = panelLibrary.beginPicture();
     places.clear();
-    const PanelContext context = {state, host, browser, thumbnails, places, ImGui::GetFontSize()};
+    const PanelContext context = {state, host, browser, thumbnails, panoramas, places, ImGui::GetFontSize()};
     const ImVec2 size = ImGui::GetIO().DisplaySize, scale = ImGui::GetIO().DisplayFramebufferScale;
     attempt([&] {
         const float top = drawMenu(context);

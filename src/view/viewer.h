@@ -3,16 +3,21 @@
 
 #include "gpu/swapchain.h"
 #include "passes/display_pass.h"
+#include "passes/outline_pass.h"
 #include "view/file_browser.h"
+#include "view/kept_settings.h"
+#include "view/method_search.h"
 #include "view/panel_library.h"
 #include "view/panel_renderer.h"
 #include "view/panels.h"
+#include "view/panorama_thumbnails.h"
 #include "view/thumbnails.h"
 #include "view/viewer_host.h"
 #include "view/viewer_state.h"
 #include "view/watched_file.h"
 #include "view/window.h"
 
+#include <chrono>
 #include <functional>
 #include <memory>
 #include <optional>
@@ -47,6 +52,11 @@ private:
         std::string name;
         std::optional<Environment> environment;
     };
+    struct SavedScene
+    {
+        std::string source, file;
+        Edits edits; // that are in it
+    };
     // The part of the window where the picture is, in its pixels.
     struct Area
     {
@@ -59,6 +69,7 @@ private:
     void waitForEvents();
     void takeResults();
     void takeEnvironment();
+    void takeSaved();
     void startReadingEnvironment(const EnvironmentChoice& choice);
     void takeDropped();
     void takeWatched();
@@ -73,6 +84,8 @@ private:
     void handle(const SaveMaterial& request);
     void handle(const OpenMaterial& request);
     void handle(const ReloadShaders& request);
+    void handle(const FindMethods& request);
+    void handle(const StopFinding& request);
     void handle(const CopyCommand& request);
     void handle(const Quit& request);
     void handleRequests();
@@ -80,6 +93,7 @@ private:
     asksFirst(const Request& request); // whether changes would be lost: then that is asked before `request` is done
     void show(OpenedScene opened);
     void show(OpenedEnvironment opened);
+    void offerEnvironment(const std::string& name); // from now on
     void chooseFirstCamera();
     Material& chosenMaterial(Edits& edits, int material) const; // Error (usage) where it is gone
 
@@ -97,6 +111,7 @@ private:
     void rotateEnvironment(double degrees);
     int lampAt(const vec2& place) const; // of the lights; -1: none
     void moveLamp(const vec2& pixels);
+    void turnLamps();
 
     void drawScene();
     Picture renderForFile(const Camera& camera);
@@ -104,16 +119,23 @@ private:
     void replanOrGoBack();
     WriteSettings curves() const;
     DisplaySettings shownCurves() const;
+    void stopReading(); // of the scene, by what runs beside the window: before it is changed
+    void stopFinding();
+    void stepMethodSearch();
+    void takeMethods(ToleranceResult result);
     void surveyErrors();
     void showErrors();
+    void drawOutline();
     void drawMarks();
     void probeAt(const vec2& place);
     void showPicture();
+    KeptSettings settingsToKeep() const;
     void report();
 
     void attempt(const std::function<void()>& work); // an Error becomes state.error
 
     ViewerHost host;
+    const KeptSettings kept; // as they were found
     Window window;
     PanelLibrary panelLibrary;
     gpu::Device device;
@@ -122,8 +144,10 @@ private:
     ViewerState state; // with a scene on the device
     gpu::Swapchain swapchain;
     DisplayPass display;
+    OutlinePass outline;
     PanelRenderer panelRenderer;
     Thumbnails thumbnails;
+    PanoramaThumbnails panoramas;
     FileBrowser browser;
     Places places;
     gpu::DeviceImage windowPicture;
@@ -149,17 +173,28 @@ private:
     };
     std::optional<Turntable> turntable;
     ErrorSurvey survey;
-    gpu::DeviceImage errorImage;           // what of it is shown
+    MethodSearch search;
+    gpu::DeviceImage errorImage; // what of it is shown
+    // The line around what is selected, and what it was drawn for.
+    struct Outlined
+    {
+        int instance = -1;
+        std::size_t picture = 0; // number of the scene's picture
+        const gpu::DeviceImage* line = nullptr;
+    };
+    Outlined outlined;
     DisplayPlace shownTerm;                // how the numbers of a term are shown
     BackgroundTask<OpenedScene> sceneTask; // with a scene on the device, too
     BackgroundTask<OpenedEnvironment> environmentTask;
+    BackgroundTask<SavedScene> saveTask;
     std::optional<OpenScene> openNext;         // after the one that is being opened
     std::optional<WatchedFile> watchedShaders; // with --watch
     std::vector<WatchedFile> watched;
     vec2 pressedAt = vec2(0.0f), lastPlace = vec2(0.0f); // of the arrow, in the window's pixels
     static constexpr float kLampRadius = 5.0f;           // pixels, of the mark that a lamp is taken by
     int draggedLamp = -1;
-    bool dragging = false, draggedFar = false; // since a button was pressed in the picture
+    std::optional<std::chrono::steady_clock::time_point> lampsTurnedAt; // where they turn
+    bool dragging = false, draggedFar = false;                          // since a button was pressed in the picture
     int settling = 0; // pictures of the window still to be made: panels take two to come to rest
     std::string lastReport;
 };

@@ -5,6 +5,7 @@
 #include "files/scene_file.h"
 #include "image/display.h"
 #include "passes/renderer.h"
+#include "plan/method_table.h"
 #include "plan/settings.h"
 #include "view/edits.h"
 #include "view/saved_scene.h"
@@ -30,6 +31,9 @@ struct ViewerHost
     /// Writes the file `source` anew with the materials of a scene that was read from it.
     std::function<void(const std::string& source, const SceneToSave& scene, const std::string& target)> saveScene;
 
+    /// What methods are chosen from. Throws Error.
+    std::function<MethodTable(const gpu::DeviceDescription&)> methodTable;
+
     bool choosesCamera = false;            // by an option, and not to fit the scene
     int firstFileCamera = -1;              // of the file's cameras: where the window begins
     std::vector<std::string> inputs;       // what is opened first
@@ -39,6 +43,7 @@ struct ViewerHost
     WriteSettings write;
     EnvironmentChoice environment;
     ivec2 windowSize = {1280, 800};
+    bool choosesSize = false; // else it is as it was left last time
     std::string deviceChoice;
     bool validation = false;
     bool watch = false;                 // scene and shaders are read again when they change

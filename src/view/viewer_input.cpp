@@ -2,9 +2,11 @@
 #include "view/viewer.h"
 
 #include "scene/camera_view.h"
+#include "view/lamp_turning.h"
 #include "view/screen_place.h"
 
 #include <GLFW/glfw3.h>
+#include <algorithm>
 #include <cmath>
 #include <imgui.h>
 
@@ -13,6 +15,8 @@ namespace {
 
 constexpr double kDegreesAcross = 180.0; // that a drag over the whole height turns by
 constexpr double kKeyDegrees = 5.0, kKeyStep = 0.05, kWheelStep = 1.1;
+constexpr double kLongestTurn =
+    0.25; // seconds of a lamp's way in one picture: after a pause it goes on from where it was
 constexpr float kClickPixels = 4.0f; // a mouse that moved less has not been dragged
 
 double diagonalOf(const Bounds& bounds)
@@ -64,6 +68,25 @@ int Viewer::lampAt(const vec2& place) const
                 if (glm::length(*pixel + dvec2(area.first) - dvec2(place)) <= kLampRadius)
                     return static_cast<int>(i);
     return -1;
+}
+
+// As far as the time since the picture before asks for: a preview, which ends as one step of undo.
+void Viewer::turnLamps()
+{
+    if (!state.scene || state.edits().lights.empty() || !state.lampsTurn) {
+        lampsTurnedAt.reset();
+        state.lampsTurn = false;
+        return;
+    }
+    const auto now = std::chrono::steady_clock::now();
+    const double seconds = lampsTurnedAt ? std::chrono::duration<double>(now - *lampsTurnedAt).count() : 0.0;
+    lampsTurnedAt = now;
+    const Bounds& bounds = state.scene->bounds;
+    Edits edits = state.edits();
+    turnLights(edits.lights, bounds.empty ? dvec3(0.0) : 0.5 * (bounds.min + bounds.max),
+               state.lampSpeed * std::min(seconds, kLongestTurn));
+    state.history->preview(std::move(edits));
+    state.changed = true;
 }
 
 void Viewer::moveLamp(const vec2& pixels)
@@ -236,7 +259,7 @@ void Viewer::handleKeys(const std::vector<KeyPress>& presses)
 
 void Viewer::handleControlKey(const KeyPress& press)
 {
-    const PanelContext context = {state, host, browser, thumbnails, places, ImGui::GetFontSize()};
+    const PanelContext context = {state, host, browser, thumbnails, panoramas, places, ImGui::GetFontSize()};
     if (press.key == GLFW_KEY_O)
         askForScene(context);
     else if (press.key == GLFW_KEY_Q)

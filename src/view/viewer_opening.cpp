@@ -66,7 +66,7 @@ void Viewer::handle(const OpenScene& request)
 
 void Viewer::show(OpenedScene opened)
 {
-    survey.stop();
+    stopReading();
     swapchain.waitUntilIdle(); // thumbnails of the old scene may still be drawn
     thumbnails.clear();
     turntable.reset();
@@ -74,6 +74,7 @@ void Viewer::show(OpenedScene opened)
     state.scene = std::move(opened.scene);
     state.history.emplace(editsOf(state.scene->scene(), opened.environment));
     state.environmentName = opened.environment.name;
+    offerEnvironment(state.environmentName);
     state.selectedInstance = -1;
     state.selectedMaterial = -1;
     const auto* file = std::get_if<FileView>(&state.view);
@@ -118,6 +119,12 @@ void Viewer::handle(const OpenEnvironment& request)
     state.history->commit(std::move(edits));
 }
 
+void Viewer::offerEnvironment(const std::string& name)
+{
+    if (std::ranges::find(state.environments, name) == state.environments.end())
+        state.environments.push_back(name);
+}
+
 void Viewer::startReadingEnvironment(const EnvironmentChoice& choice)
 {
     state.notice = "reading " + choice.name;
@@ -137,11 +144,10 @@ void Viewer::startReadingEnvironment(const EnvironmentChoice& choice)
 
 void Viewer::show(OpenedEnvironment opened)
 {
-    survey.stop();
+    stopReading();
     state.scene->scene().environment = std::move(opened.environment);
     state.environmentName = opened.name;
-    if (std::ranges::find(state.environments, opened.name) == state.environments.end())
-        state.environments.push_back(opened.name);
+    offerEnvironment(opened.name);
     state.notice = "environment " + opened.name;
     state.changed = true;
 }
@@ -162,7 +168,7 @@ void Viewer::handle(const OpenTexture& request)
     TextureUse& use = chosenMaterial(edits, request.material).*request.role;
     const std::vector<std::byte> bytes = readFile(request.file);
     TextureImage image = decodeTexture(bytes, std::filesystem::path(request.file).filename().string(), request.file);
-    survey.stop(); // it reads the scene
+    stopReading();
     Scene& scene = state.scene->scene();
     scene.images.push_back(std::move(image));
     scene.textures.push_back({.image = static_cast<int>(scene.images.size()) - 1, .sampler = {}});

@@ -9,10 +9,10 @@
 #include "plan/view_scale.h"
 #include "study/error_picture.h"
 #include "view/screen_place.h"
-#include "view/selection_box.h"
 
 #include <chrono>
 #include <cmath>
+#include <fmt/format.h>
 #include <imgui.h>
 
 namespace torrance {
@@ -55,6 +55,10 @@ void Viewer::handle(const OpenPicture& request)
     gpu::copyToImage(commands, texels, compared.image, 4 * sizeof(float));
     commands.submitAndWait();
     state.compared = request.file;
+    if (ivec2(color.width, color.height) != area.size)
+        state.notice =
+            fmt::format("the file is {} x {} and the picture {} x {}: shown pixel by pixel from the top left",
+                        color.width, color.height, area.size.x, area.size.y);
 }
 
 void Viewer::handle(const ReloadShaders&)
@@ -153,10 +157,23 @@ void Viewer::showErrors()
     ImGui::GetBackgroundDrawList()->AddImage(&errorImage, {first.x, first.y}, {first.x + size.x, first.y + size.y});
 }
 
+// Of the picture that is shown; the same until that, or what is selected, is another.
+void Viewer::drawOutline()
+{
+    const Outlined now = {.instance = hasFrame ? state.selectedInstance : -1, .picture = state.scenesDrawn};
+    if (now.instance == outlined.instance && now.picture == outlined.picture)
+        return;
+    swapchain.waitUntilIdle(); // the old one may still be shown
+    outlined = now;
+    if (now.instance >= 0)
+        outlined.line = &outline.draw(*state.scene->device, shownCamera, now.instance, area.size);
+}
+
 void Viewer::drawMarks()
 {
     if (!state.scene)
         return;
+    drawOutline();
     ImDrawList& list = *ImGui::GetBackgroundDrawList();
     const ImVec2 scale = ImGui::GetIO().DisplayFramebufferScale;
     const auto inWindow = [&](const dvec2& pixel) {
@@ -167,10 +184,9 @@ void Viewer::drawMarks()
                     kLine = IM_COL32(255, 255, 255, 255), kLamp = IM_COL32(255, 230, 90, 255);
     const ImVec2 first = inWindow(dvec2(0.0)), beyond = inWindow(dvec2(area.size));
     list.PushClipRect(first, beyond);
-    if (state.selectedInstance >= 0)
-        for (const ScreenLine& line :
-             selectionBox(state.scene->scene(), state.selectedInstance, shownCamera, area.size))
-            list.AddLine(inWindow(line.begin), inWindow(line.end), kSelected, 1.5f);
+    if (outlined.line)
+        list.AddImage(const_cast<gpu::DeviceImage*>(outlined.line), first, beyond, {0.0f, 0.0f}, {1.0f, 1.0f},
+                      kSelected);
     for (const Light& light : state.edits().lights)
         if (const auto pixel = light.kind == Light::Kind::directional
                                    ? std::nullopt

@@ -72,6 +72,12 @@ void addScene(const ViewerState& state, const ViewerHost& host, Json::Object& re
                                  {"unsaved", state.history->isDirty()}});
     if (state.showsErrors)
         report.emplace_back("errors", Json::Object{{"mean", state.errors.mean}, {"done", state.errors.done}});
+    report.emplace_back("finds_methods", state.findsMethods);
+    if (state.found)
+        report.emplace_back("found", Json::Object{{"holds", state.found->holds},
+                                                  {"pictures", state.found->trials.size()},
+                                                  {"mean", state.found->certificate.shading.mean.value},
+                                                  {"high", state.found->certificate.shading.mean.high}});
     if (state.probe)
         addProbe(*state.probe, report);
 }

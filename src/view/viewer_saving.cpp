@@ -64,13 +64,30 @@ void Viewer::stepTurntable()
 
 void Viewer::handle(const SaveScene& request)
 {
-    const bool overSource =
-        std::filesystem::weakly_canonical(request.file) == std::filesystem::weakly_canonical(state.scene->input);
-    host.saveScene(state.scene->input, sceneToSave(*state.history, state.scene->scene(), state.pictures), request.file);
-    state.history->markSaved();
-    state.notice = "saved " + request.file;
-    if (overSource) // what is edited from now on is an edit of the new file
-        state.requests.push_back(OpenScene{state.scene->input, true});
+    if (!state.scene)
+        return;
+    if (saveTask.isRunning())
+        throw usageError("a scene is being saved", "save again when that is done");
+    state.notice = "saving " + request.file;
+    saveTask.start([this, source = state.scene->input, file = request.file, edits = state.history->now(),
+                    scene = sceneToSave(*state.history, state.scene->scene(), state.pictures)](Progress&) mutable {
+        host.saveScene(source, scene, file);
+        return SavedScene{source, file, std::move(edits)};
+    });
+}
+
+void Viewer::takeSaved()
+{
+    const std::optional<SavedScene> saved = saveTask.take();
+    if (!saved)
+        return;
+    state.notice = "saved " + saved->file;
+    if (!state.scene || saved->source != state.scene->input)
+        return; // another was opened meanwhile
+    state.history->markSaved(saved->edits);
+    if (std::filesystem::weakly_canonical(saved->file) == std::filesystem::weakly_canonical(saved->source))
+        state.requests.push_back(
+            OpenScene{saved->source, true}); // what is edited from now on is an edit of the new file
 }
 
 void Viewer::handle(const SaveMaterial& request)

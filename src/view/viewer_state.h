@@ -1,6 +1,7 @@
 // What the panels read and change. They ask for what takes time, or touches files, by requests.
 #pragma once
 
+#include "study/tolerance_search.h"
 #include "view/edits.h"
 #include "view/error_survey.h"
 #include "view/pixel_probe.h"
@@ -71,6 +72,14 @@ struct OpenMaterial
 struct ReloadShaders
 {
 };
+/// The cheapest methods with which the picture is within a tolerance.
+struct FindMethods
+{
+    Tolerance tolerance;
+};
+struct StopFinding
+{
+};
 struct CopyCommand
 {
 };
@@ -78,8 +87,9 @@ struct Quit
 {
     bool discards = false; // changes that were not saved
 };
-using Request = std::variant<OpenScene, OpenEnvironment, SavePicture, SaveScene, KeepPicture, OpenPicture,
-                             SaveTurntable, OpenTexture, SaveMaterial, OpenMaterial, ReloadShaders, CopyCommand, Quit>;
+using Request =
+    std::variant<OpenScene, OpenEnvironment, SavePicture, SaveScene, KeepPicture, OpenPicture, SaveTurntable,
+                 OpenTexture, SaveMaterial, OpenMaterial, ReloadShaders, FindMethods, StopFinding, CopyCommand, Quit>;
 
 /// Panoramas are environments, anything else is a scene.
 inline Request openingOf(const std::filesystem::path& file)
@@ -110,6 +120,8 @@ struct ViewerState
     std::string environmentName;           // of the light that the scene has
     std::vector<std::string> environments; // names and files that can be chosen
     std::vector<std::string> recent;       // files, newest first
+    bool lampsTurn = false;
+    double lampSpeed = 30.0; // degrees a second
     std::string deviceName;
     double frameMs = 0.0;        // of the last picture of the scene that was drawn
     std::size_t scenesDrawn = 0; // such pictures
@@ -120,9 +132,14 @@ struct ViewerState
     std::vector<std::filesystem::path> pictures; // files of the images that were added to the scene
     bool showsErrors = false;                    // in place of the picture
     ErrorSurvey::State errors;                   // where they are shown
-    bool probes = false;                         // a click looks into a pixel, and selects nothing
-    std::optional<PixelProbe> probe;             // the last; gone when the picture changes
-    std::optional<Request> unsaved; // what was asked for while there are changes that were not saved: asked again
+    double tolerance = Tolerance().mean;         // that methods are looked for with
+    bool findsMethods = false;
+    int pictureTried = 0;                 // of this search
+    std::optional<ToleranceResult> found; // by the last search
+    std::size_t foundAt = 0;              // number of the picture it is of, of those drawn
+    bool probes = false;                  // a click looks into a pixel, and selects nothing
+    std::optional<PixelProbe> probe;      // the last; gone when the picture changes
+    std::optional<Request> unsaved;       // what was asked for while there are changes that were not saved: asked again
     bool closes = false;
 
     const Edits& edits() const { return history->shown(); }

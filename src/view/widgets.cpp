@@ -8,10 +8,10 @@
 
 namespace torrance {
 
-bool sliderDouble(const char* label, double& value, double least, double greatest, const char* format)
+bool sliderDouble(const char* label, double& value, double least, double greatest, const char* format, int flags)
 {
     return ImGui::SliderScalar(label, ImGuiDataType_Double, &value, &least, &greatest, format,
-                               ImGuiSliderFlags_AlwaysClamp);
+                               flags | ImGuiSliderFlags_AlwaysClamp);
 }
 
 bool dragDouble(const char* label, double& value, double speed, double least, double greatest, const char* format)

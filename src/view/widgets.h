@@ -10,7 +10,8 @@
 
 namespace torrance {
 
-bool sliderDouble(const char* label, double& value, double least, double greatest, const char* format = "%.3f");
+bool sliderDouble(const char* label, double& value, double least, double greatest, const char* format = "%.3f",
+                  int flags = 0); // of ImGuiSliderFlags
 bool dragDouble(const char* label, double& value, double speed, double least, double greatest,
                 const char* format = "%.3f");
 bool dragPoint(const char* label, dvec3& value, double speed);

@@ -88,6 +88,13 @@ vk::raii::SurfaceKHR Window::makeSurface(const gpu::Device& device) const
     return {device.instance, surface};
 }
 
+ivec2 Window::size() const
+{
+    ivec2 size;
+    glfwGetWindowSize(handle, &size.x, &size.y);
+    return size;
+}
+
 ivec2 Window::pixels() const
 {
     ivec2 size;
@@ -100,11 +107,6 @@ float Window::scale() const
     float x = 1.0f, y = 1.0f;
     glfwGetWindowContentScale(handle, &x, &y);
     return x;
-}
-
-bool Window::isMinimised() const
-{
-    return glfwGetWindowAttrib(handle, GLFW_ICONIFIED) != 0;
 }
 
 void Window::handleEvents(bool wait)
@@ -125,11 +127,6 @@ void Window::wake()
 void Window::setTitle(const std::string& title)
 {
     glfwSetWindowTitle(handle, title.c_str());
-}
-
-void Window::setPixels(const ivec2& size)
-{
-    glfwSetWindowSize(handle, size.x, size.y);
 }
 
 std::vector<std::filesystem::path> Window::takeDropped()

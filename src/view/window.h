@@ -28,9 +28,9 @@ public:
     std::vector<std::string> extensions() const;
     vk::raii::SurfaceKHR makeSurface(const gpu::Device& device) const;
 
+    ivec2 size() const;   // of its inside, in the desktop's coordinates
     ivec2 pixels() const; // of its inside; 0 while it is minimised
     float scale() const;  // of text: 1 at 96 dots an inch
-    bool isMinimised() const;
 
     /// Handles what has happened; with `wait`, not before something has, or wake() was called.
     void handleEvents(bool wait);
@@ -40,7 +40,6 @@ public:
     static void wake();
 
     void setTitle(const std::string& title);
-    void setPixels(const ivec2& size);
 
     /// What the keyboard did, in its order. In a picture that takes long a press and its end can both lie, so that what
     /// is down at its beginning says too little: whoever takes the events decides how many one picture can take.

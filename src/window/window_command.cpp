@@ -2,6 +2,7 @@
 
 #include "app/device_option.h"
 #include "app/lit_scene.h"
+#include "app/method_table_option.h"
 #include "app/window_options.h"
 #include "core/data_folder.h"
 #include "core/error.h"
@@ -68,6 +69,9 @@ ViewerHost makeHost(const WindowOptions& options, const GlobalOptions& global)
     host.saveScene = [&options](const std::string& source, const SceneToSave& scene, const std::string& target) {
         save(options.scene, source, scene, target);
     };
+    host.methodTable = [&options](const gpu::DeviceDescription& device) {
+        return loadMethodTable(options.methods, device, true).table;
+    };
     host.choosesCamera = isGiven(options.camera);
     host.firstFileCamera = host.inputs.empty() ? -1 : cameraOptionsFor(options.camera, host.inputs.front()).index;
     host.sceneOptions = lastingArguments(options);
@@ -80,6 +84,7 @@ ViewerHost makeHost(const WindowOptions& options, const GlobalOptions& global)
     if (host.environment.name != "none")
         load(host.environment, methods); // what is wrong with its options is said before a window opens
     host.windowSize = chosenSize(options.frame.picture);
+    host.choosesSize = choosesSize(options);
     host.deviceChoice = options.device;
     host.validation = options.validation;
     host.watch = options.watch;

@@ -1,5 +1,6 @@
 """A virtual screen with the window on it, driven as a person drives it: by mouse and keys."""
 
+import ctypes
 import json
 import os
 import shutil
@@ -29,7 +30,7 @@ class Screen:
         read, write = os.pipe()
         self.process = subprocess.Popen(
             ["Xvfb", "-displayfd", str(write), "-screen", "0", f"{width}x{height}x24", "-fbdir", self.folder.name,
-             "-nolisten", "tcp"],
+             "-nolisten", "tcp", "-noreset"],  # what the root window holds stays when nobody is connected
             pass_fds=[write], stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
         os.close(write)
         with os.fdopen(read) as pipe:
@@ -45,6 +46,19 @@ class Screen:
         self.folder.cleanup()
 
 
+def set_dots_per_inch(screen, dots):
+    """As a desktop tells its programs."""
+    x11 = ctypes.CDLL("libX11.so.6")
+    x11.XOpenDisplay.restype = ctypes.c_void_p
+    x11.XDefaultRootWindow.restype = x11.XInternAtom.restype = ctypes.c_ulong
+    display = ctypes.c_void_p(x11.XOpenDisplay(screen.display.encode()))
+    text = f"Xft.dpi:\t{dots}\n".encode()
+    string_type, replace = ctypes.c_ulong(31), 0
+    x11.XChangeProperty(display, ctypes.c_ulong(x11.XDefaultRootWindow(display)),
+                        ctypes.c_ulong(x11.XInternAtom(display, b"RESOURCE_MANAGER", 0)), string_type, 8, replace, text, len(text))
+    x11.XCloseDisplay(display)
+
+
 class Window:
     """`torrance view`, and what it says of itself by --report."""
 
@@ -52,6 +66,7 @@ class Window:
         self.screen = screen
         self.folder = Path(folder)
         self.report_file = self.folder / "report.json"
+        self.report_file.unlink(missing_ok=True)  # of a window before
         self.environment = dict(os.environ, DISPLAY=screen.display, XDG_CONFIG_HOME=str(self.folder / "config"))
         self.errors = open(self.folder / "stderr", "w+")
         command = [program, "view", *map(str, arguments), "--report", str(self.report_file)]

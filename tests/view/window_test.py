@@ -4,14 +4,17 @@
 usage: window_test.py TORRANCE CASE    exit code 77: what it takes is not installed; CASE is the name of a test below
 """
 
+import array
 import json
 import os
 import shutil
+import struct
 import subprocess
 import sys
 import tempfile
 import time
 import unittest
+import zlib
 from pathlib import Path
 
 sys.path.insert(0, str(Path(__file__).parent))
@@ -19,6 +22,7 @@ import desktop  # noqa: E402
 import pictures  # noqa: E402
 
 PROGRAM = ""
+PANEL_CODES = 3  # a panel lies over the window, a frame over it, a text over that: each blended, and rounded to a code
 PICTURES = ""  # where screenshots are kept; empty: nowhere
 
 
@@ -35,8 +39,8 @@ class WindowTest(unittest.TestCase):
         self.screen.close()
         self.kept.cleanup()
 
-    def open(self, *arguments, scene="demo"):
-        self.window = desktop.Window(PROGRAM, self.screen, [scene, "-r", "1000x700", *arguments], self.folder)
+    def open(self, *arguments, scene="demo", size="1000x700"):
+        self.window = desktop.Window(PROGRAM, self.screen, [scene, "-r", size, *arguments], self.folder)
         return self.window.wait_open(scene)
 
     def keep(self, name, rests=True):
@@ -45,6 +49,24 @@ class WindowTest(unittest.TestCase):
             if rests:
                 self.window.rest()
             self.screen.picture().write(Path(PICTURES) / (name + ".png"))
+
+    def expect_panels(self, name):
+        """The column of panels against the picture that is kept of it, which was looked at. TORRANCE_KEEP_PANELS=1 keeps
+        what is shown now instead: look at it."""
+        self.window.move(2, self.screen.height - 2)
+        x, y, width, height = self.window.rest()["picture"]
+        shown = self.screen.picture()
+        panels = shown.crop(x + width, y, shown.width - x - width, height)
+        file = Path(__file__).parent / "panels" / (name + ".png")
+        if os.environ.get("TORRANCE_KEEP_PANELS"):
+            panels.write(file)
+            return
+        kept = pictures.read_png(file)
+        self.assertEqual((panels.width, panels.height), (kept.width, kept.height))
+        worst, differing = panels.worst_difference(kept)
+        if worst > PANEL_CODES:
+            panels.write(f"/tmp/torrance-panels-{name}.png")
+        self.assertLessEqual(worst, PANEL_CODES, f"{name}: {differing} codes differ")
 
     def leave(self):
         self.assertEqual(self.window.quit(), 0, self.window.said())
@@ -68,6 +90,7 @@ class WindowTest(unittest.TestCase):
     def test_open(self):
         self.open()
         self.keep("open")
+        self.expect_panels("scene")
         self.expect_as_rendered("open")
         self.leave()
 
@@ -163,9 +186,10 @@ class WindowTest(unittest.TestCase):
         window = self.window
         window.click("section.Material")  # makes room
         window.click("section.Light")
-        window.click("light.environment")
+        window.wait_for(lambda r: "light.environment.sky" in r["places"], "the environments")
         self.keep("light")
-        window.click("entry.furnace")
+        self.expect_panels("light")
+        window.click("light.environment.furnace")
         report = window.wait_for(lambda r: r["environment"] == "furnace", "the furnace")
         self.assertIn("--environment=furnace", report["command"])
         self.expect_as_rendered("furnace")
@@ -177,6 +201,13 @@ class WindowTest(unittest.TestCase):
         window.key("ctrl+z", "ctrl+z")
         window.wait_for(lambda r: r["environment"] == "studio", "the studio again")
         self.expect_as_rendered("studio")
+        window.key(*["minus"] * 30)  # until the environment is seen behind the scene
+        sharp = window.shown()
+        self.drag_slider("light.blur")
+        report = window.wait_for(lambda r: any("--background-blur" in a for a in r["command"]), "the blur")
+        self.expect_as_rendered("blur")
+        self.keep("blur")
+        self.assertGreater(window.shown().worst_difference(sharp)[0], 3)
         self.leave()
 
     def test_lamp(self):
@@ -209,6 +240,53 @@ class WindowTest(unittest.TestCase):
         window.wait_for(lambda r: r["lights"][0] == before, "the lamp to go back")
         self.leave()
 
+    def test_turning_lamps(self):
+        self.open()
+        window = self.window
+        window.click("section.Material")
+        window.click("section.Light")
+        window.click("light.add")
+        before = window.wait_for(lambda r: len(r["lights"]) == 1, "a lamp")["lights"][0]
+        window.click("light.turn")
+        drawn = window.report()["drawn"]
+        window.wait_for(lambda r: r["lights"][0] != before and r["drawn"] > drawn + 2, "the lamp to turn")
+        window.click("light.turn")
+        after = window.rest()["lights"][0]
+        self.assertNotEqual(after[0], before[0])
+        self.assertEqual(after[1], before[1], "it turns about the vertical")
+        self.keep("turning")
+        window.key("ctrl+z")
+        window.wait_for(lambda r: r["lights"][0] == before, "the lamp where it was")
+        self.leave()
+
+    def test_tolerance(self):
+        settings = self.folder / "config" / "torrance" / "settings.json"
+        settings.parent.mkdir(parents=True)
+        settings.write_text(json.dumps({"width": 900, "height": 640, "panels": True, "turntable_frames": 36, "tolerance": 0.1,
+                                        "lamp_speed": 30}))
+        before = self.open()["command"]
+        window = self.window
+        window.click("section.Scene")
+        window.click("section.Material")
+        window.click("section.Methods")
+        window.click("method.find")
+        report = window.wait_for(lambda r: "found" in r and not r["finds_methods"], "methods")
+        self.assertTrue(report["found"]["holds"])
+        self.assertLessEqual(report["found"]["high"], 0.1)
+        self.keep("tolerance")
+        self.expect_as_rendered("tolerance")
+        window.rest()
+        file = self.rendered(window.report(), "--certify")
+        certificate = json.loads(Path(f"{file}.certificate.json").read_text())
+        self.assertLessEqual(certificate["shading"]["mean"]["value"], 0.1)
+        found = window.report()["command"]
+        self.drag_slider("method.tolerance", 0.0)
+        window.click("method.find")
+        window.click("method.stop")
+        window.wait_for(lambda r: not r["finds_methods"], "the search to end")
+        self.assertEqual(window.rest()["command"], found, "the methods stay as they were")
+        self.leave()
+
     def test_method(self):
         self.open("--transfer", "gamma22")
         window = self.window
@@ -216,6 +294,7 @@ class WindowTest(unittest.TestCase):
         window.click("section.Material")
         window.click("section.Methods")
         before = window.shown()
+        self.expect_panels("methods")
         window.click("method.distribution")
         window.click("entry.beckmann")
         report = window.wait_for(lambda r: r["error"], "what cannot be combined")
@@ -349,6 +428,7 @@ class WindowTest(unittest.TestCase):
         for title in ("Scene", "Material", "Picture"):
             window.click("section." + title)
         before = window.shown()
+        self.expect_panels("picture")
         window.click("picture.keep")
         window.wait_for(lambda r: "picture.split" in r["places"], "the line")
         window.click("section.Picture")
@@ -435,21 +515,22 @@ class WindowTest(unittest.TestCase):
         report = window.wait_for(lambda r: r["picture"][1] + r["picture"][3] < 600, "the new size")
         self.assertLess(report["picture"][2], 800)
         self.expect_as_rendered("resize")
+        window.run_tool("windowunmap", window.id)
+        time.sleep(0.3)
+        window.run_tool("windowmap", window.id)
+        window.run_tool("windowfocus", window.id)
+        window.key("1")
+        window.wait_for(lambda r: "--orbit=0,90" in r["command"], "the front")
+        self.expect_as_rendered("hidden and shown again")
         self.leave()
 
     def test_drop(self):
-        tool = Path(PROGRAM).parent.parent / "tests" / "drop_file"
-        if not tool.exists():
-            self.skipTest("drop_file was not built")
         self.open()
         window = self.window
         bad = self.folder / "no scene.glb"
         bad.write_bytes(b"glTF but not really")
 
-        def drop(file):
-            subprocess.run([tool, window.id, file], env=window.environment, check=True, timeout=desktop.PATIENCE)
-
-        drop(bad)
+        self.drop(bad)
         report = window.wait_for(lambda r: r["error"], "the error")
         self.assertEqual(report["scene"], "demo", "the old scene stays")
         said = subprocess.run([PROGRAM, "render", bad, "-o", self.folder / "x.png"], text=True, stderr=subprocess.PIPE).stderr
@@ -458,8 +539,139 @@ class WindowTest(unittest.TestCase):
         window.click("error.close")
         self.expect_as_rendered("after the bad file")
         good = Path(PROGRAM).parent.parent / "share" / "torrance" / "assets" / "demo" / "demo.gltf"
-        drop(good)
+        self.drop(good)
         window.wait_open(good)
+        self.leave()
+
+    def write_slow_scene(self, file):
+        """A file that takes seconds to open: some millions of triangles."""
+        side = 1200
+        positions = array.array("f")
+        for y in range(side):
+            for x in range(side):
+                positions.extend((x / side, y / side, 0.1 * ((x * y) % 7)))
+        indices = array.array("I")
+        for y in range(side - 1):
+            for x in range(side - 1):
+                a = y * side + x
+                indices.extend((a, a + 1, a + side, a + 1, a + side + 1, a + side))
+        data = positions.tobytes() + indices.tobytes()
+        count, cut = side * side, len(positions) * 4
+        scene = {"asset": {"version": "2.0"}, "scene": 0, "scenes": [{"nodes": [0]}], "nodes": [{"mesh": 0}],
+                 "meshes": [{"primitives": [{"attributes": {"POSITION": 0}, "indices": 1}]}],
+                 "buffers": [{"byteLength": len(data)}],
+                 "bufferViews": [{"buffer": 0, "byteOffset": 0, "byteLength": cut},
+                                 {"buffer": 0, "byteOffset": cut, "byteLength": len(data) - cut}],
+                 "accessors": [{"bufferView": 0, "componentType": 5126, "count": count, "type": "VEC3",
+                                "min": [0, 0, 0], "max": [1, 1, 1]},
+                               {"bufferView": 1, "componentType": 5125, "count": len(indices), "type": "SCALAR"}]}
+        self.write_glb(file, scene, data)
+
+    def write_glb(self, file, scene, data):
+        text = json.dumps(scene).encode()
+        text += b" " * (-len(text) % 4)
+        data += b"\0" * (-len(data) % 4)
+        size = 12 + 8 + len(text) + 8 + len(data)
+        file.write_bytes(struct.pack("<III", 0x46546C67, 2, size) + struct.pack("<II", len(text), 0x4E4F534A) + text
+                         + struct.pack("<II", len(data), 0x004E4942) + data)
+
+    def drop(self, file):
+        tool = Path(PROGRAM).parent.parent / "tests" / "drop_file"
+        if not tool.exists():
+            self.skipTest("drop_file was not built")
+        subprocess.run([tool, self.window.id, file], env=self.window.environment, check=True, timeout=desktop.PATIENCE)
+
+    def test_cancel(self):
+        slow = self.folder / "slow.glb"
+        self.write_slow_scene(slow)
+        self.open()
+        window = self.window
+        self.drop(slow)
+        window.wait_for(lambda r: r["opening"] and "opening.cancel" in r["places"], "the file to be opened")
+        window.click("opening.cancel")
+        report = window.wait_for(lambda r: not r["opening"], "the opening to end")
+        self.assertEqual(report["scene"], "demo")
+        good = Path(PROGRAM).parent.parent / "share" / "torrance" / "assets" / "demo" / "demo.gltf"
+        self.drop(good)
+        window.wait_open(good)
+        self.assertEqual(window.rest()["scene"], str(good), "what was cancelled does not come after all")
+        self.leave()
+
+    def test_many_textures(self):
+        """256 MiB of texels: the scene that is shown goes on being drawn while they come."""
+        side, count = 2048, 16
+        pictures_of = []
+        for i in range(count):
+            rows = b"".join(b"\0" + bytes([(x * (i + 1) + y) & 255 for x in range(64)]) * (side * 4 // 64) for y in range(side))
+
+            def chunk(kind, body):
+                return struct.pack(">I", len(body)) + kind + body + struct.pack(">I", zlib.crc32(kind + body))
+
+            pictures_of.append(b"\x89PNG\r\n\x1a\n" + chunk(b"IHDR", struct.pack(">IIBBBBB", side, side, 8, 6, 0, 0, 0))
+                               + chunk(b"IDAT", zlib.compress(rows, 1)) + chunk(b"IEND", b""))
+        corners = struct.pack("<12f", 0, 0, 0, 1, 0, 0, 0, 1, 0, 1, 1, 0)
+        places = struct.pack("<8f", 0, 0, 1, 0, 0, 1, 1, 1)
+        indices = struct.pack("<6H", 0, 1, 2, 2, 1, 3)
+        data, views = b"", []
+        for part in [corners, places, indices, *pictures_of]:
+            views.append({"buffer": 0, "byteOffset": len(data), "byteLength": len(part)})
+            data += part + b"\0" * (-len(part) % 4)
+        scene = {"asset": {"version": "2.0"}, "scene": 0, "scenes": [{"nodes": list(range(count))}],
+                 "nodes": [{"mesh": i, "translation": [i % 4, i // 4, 0]} for i in range(count)],
+                 "meshes": [{"primitives": [{"attributes": {"POSITION": 0, "TEXCOORD_0": 1}, "indices": 2, "material": i}]}
+                            for i in range(count)],
+                 "materials": [{"pbrMetallicRoughness": {"baseColorTexture": {"index": i}}} for i in range(count)],
+                 "textures": [{"source": i} for i in range(count)],
+                 "images": [{"bufferView": 3 + i, "mimeType": "image/png"} for i in range(count)],
+                 "buffers": [{"byteLength": len(data)}], "bufferViews": views,
+                 "accessors": [{"bufferView": 0, "componentType": 5126, "count": 4, "type": "VEC3", "min": [0, 0, 0], "max": [1, 1, 0]},
+                               {"bufferView": 1, "componentType": 5126, "count": 4, "type": "VEC2"},
+                               {"bufferView": 2, "componentType": 5123, "count": 6, "type": "SCALAR"}]}
+        file = self.folder / "textures.glb"
+        self.write_glb(file, scene, data)
+        self.open()
+        window = self.window
+        self.drop(file)
+        drawn = window.wait_for(lambda r: r["opening"], "the file to be opened")["drawn"]
+        turned = 0
+        while window.report()["opening"] and turned < 3:
+            window.key("Right")
+            turned = window.report()["drawn"] - drawn
+            time.sleep(0.05)
+        self.assertGreaterEqual(turned, 3, "pictures of the old scene while the new one is read")
+        window.wait_open(file)
+        window.key("1")
+        window.wait_for(lambda r: "--orbit=0,90" in r["command"], "the front")
+        self.expect_as_rendered("textures")
+        self.leave()
+
+    def test_scale(self):
+        """On a screen of twice the dots an inch, text is twice as high."""
+
+        def height():
+            self.window.rest()
+            _, top, _, bottom = self.window.report()["places"]["section.Scene"]
+            return bottom - top
+
+        self.open(size="900x600")
+        once = height()
+        self.leave()
+        desktop.set_dots_per_inch(self.screen, 192)
+        self.open(size="490x340")  # twice as many pixels
+        self.assertAlmostEqual(height(), 2 * once, delta=2)
+        self.keep("scale")
+        self.expect_as_rendered("scale")
+        self.leave()
+
+    def test_kept_settings(self):
+        self.open(size="800x560")
+        self.window.key("Tab")
+        self.window.wait_for(lambda r: "section.Scene" not in r["places"], "the panels to go")
+        self.leave()
+        self.window = desktop.Window(PROGRAM, self.screen, ["demo"], self.folder)
+        report = self.window.wait_open("demo")
+        self.assertEqual(report["picture"][2], 800)
+        self.assertNotIn("section.Scene", report["places"])
         self.leave()
 
     def test_watch(self):

@@ -153,8 +153,10 @@ TEST(EnvironmentMaps, LevelsFollowTheShadersFormula)
 {
     EXPECT_EQ(levelAlpha(0, 6), 0.0);
     EXPECT_NEAR(levelAlpha(5, 6), 1.0, 1e-15);
-    for (int level = 1; level < 5; ++level)
+    for (int level = 0; level < 6; ++level) {
         EXPECT_NEAR(5.0 * std::log2(1.0 + 100.0 * levelAlpha(level, 6)) / std::log2(101.0), level, 1e-12);
+        EXPECT_NEAR(alphaLevel(levelAlpha(level, 6), 6), level, 1e-12);
+    }
     EXPECT_EQ(cubeSizeFor(2), 16);
     EXPECT_EQ(cubeSizeFor(1000), 256);
     EXPECT_EQ(cubeSizeFor(1024), 256);

@@ -121,7 +121,7 @@ TEST(EditHistory, KnowsWhatWasNotSaved)
     EXPECT_FALSE(history.isDirty()); // no file holds the environment
     history.commit(rougher(history, 0.5));
     EXPECT_TRUE(history.isDirty());
-    history.markSaved();
+    history.markSaved(history.now());
     EXPECT_FALSE(history.isDirty());
     history.undo();
     EXPECT_TRUE(history.isDirty());
