@@ -7,6 +7,7 @@
 #include "shaders/shared/bindings.h"
 
 #include <array>
+#include <bit>
 
 namespace torrance {
 namespace {
@@ -20,6 +21,13 @@ gpu::DeviceImage makeTarget(const gpu::Device& device, const ivec2& size, vk::Fo
         device,
         {.width = static_cast<std::uint32_t>(size.x), .height = static_cast<std::uint32_t>(size.y), .format = format},
         Usage::eColorAttachment | Usage::eSampled | Usage::eTransferSrc, name);
+}
+
+// Images that are drawn into and sampled are a texel larger in memory where a side is a power of two (gpu/image.cpp):
+// whoever samples by parts of the sides has to know their true length.
+int notPowerOfTwo(int side)
+{
+    return std::has_single_bit(static_cast<unsigned>(side)) ? side + 1 : side;
 }
 
 vk::PrimitiveTopology topologyOf(Topology topology)
@@ -58,7 +66,7 @@ const gpu::Pipeline& OutlinePass::silhouette(Topology topology)
         .first->second;
 }
 
-const gpu::DeviceImage& OutlinePass::draw(const DeviceScene& scene, const Camera& camera, int index, const ivec2& size)
+OutlinePass::Line OutlinePass::draw(const DeviceScene& scene, const Camera& camera, int index, const ivec2& size)
 {
     const Instance& instance = scene.scene.instances[static_cast<std::size_t>(index)];
     const PrimitiveRange& range = scene.meshes->ranges[static_cast<std::size_t>(instance.primitive)];
@@ -67,17 +75,23 @@ const gpu::DeviceImage& OutlinePass::draw(const DeviceScene& scene, const Camera
     worldFromVertex[3] = instance.worldFromObject * dvec4(range.center, 1.0);
     // One matrix, rounded last: what the vertices are multiplied with is small, however far away they stand.
     const mat4 block(projectionMatrix(camera, double(size.x) / size.y) * viewFromWorld(camera) * worldFromVertex);
-    const gpu::Buffer place =
-        gpu::makeBuffer(device, std::as_bytes(std::span(&block, 1)), vk::BufferUsageFlagBits::eUniformBuffer, "place");
-    if (!*marks.handle || ivec2(marks.shape.width, marks.shape.height) != size) {
-        marks = makeTarget(device, size, kMarkFormat, "silhouette");
-        picture = makeTarget(device, size, kPictureFormat, "outline");
+    const ivec2 last = size - 1;
+    const auto blockOf = [&](const auto& value, const char* name) {
+        return gpu::makeBuffer(device, std::as_bytes(std::span(&value, 1)), vk::BufferUsageFlagBits::eUniformBuffer,
+                               name);
+    };
+    const gpu::Buffer place = blockOf(block, "place"), sides = blockOf(last, "size");
+    const ivec2 target(notPowerOfTwo(size.x), notPowerOfTwo(size.y));
+    if (!*marks.handle || ivec2(marks.shape.width, marks.shape.height) != target) {
+        marks = makeTarget(device, target, kMarkFormat, "silhouette");
+        picture = makeTarget(device, target, kPictureFormat, "outline");
     }
     gpu::Commands commands(device);
-    commands.use({},
-                 {gpu::use(scene.meshes->vertices, gpu::Access::vertexRead),
-                  gpu::use(scene.meshes->indices, gpu::Access::vertexRead), gpu::use(place, gpu::Access::shaderRead)});
+    commands.use({}, {gpu::use(scene.meshes->vertices, gpu::Access::vertexRead),
+                      gpu::use(scene.meshes->indices, gpu::Access::vertexRead),
+                      gpu::use(place, gpu::Access::shaderRead), gpu::use(sides, gpu::Access::shaderRead)});
     beginRendering(commands, std::array{&std::as_const(marks)}, nullptr, kClearToNothing, LoadTarget::clear);
+    commands.buffer.setViewport(0, vk::Viewport{0.0f, 0.0f, float(size.x), float(size.y), 0.0f, 1.0f});
     const gpu::Pipeline& pipeline = silhouette(topology);
     gpu::Bindings bindings;
     bindings.set(shared::kBindFrame, place);
@@ -91,12 +105,13 @@ const gpu::DeviceImage& OutlinePass::draw(const DeviceScene& scene, const Camera
     commands.use({gpu::use(marks, gpu::Access::sampled)});
     beginRendering(commands, std::array{&std::as_const(picture)}, nullptr, kKeep, LoadTarget::clear);
     gpu::Bindings read;
+    read.set(shared::kBindFrame, sides);
     read.set(shared::kBindSource, marks, sampler);
     drawFullscreen(commands, line, read);
     commands.buffer.endRendering();
     commands.use({gpu::use(picture, gpu::Access::sampled)});
     commands.submitAndWait();
-    return picture;
+    return {&picture, vec2(size) / vec2(target)};
 }
 
 } // namespace torrance

@@ -87,6 +87,7 @@ void drawHelp(const PanelContext& context)
         {"drag a lamp's mark", "move the lamp"},
         {"click", "select an object and its material"},
         {"double click", "look at what is there"},
+        {"Escape", "close a message; select no object"},
         {"F, Shift+F", "frame all, the selected object"},
         {"1 3 7, with Ctrl", "front, right, top; back, left, bottom"},
         {"C", "next camera of the file"},

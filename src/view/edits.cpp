@@ -1,5 +1,8 @@
 #include "view/edits.h"
 
+#include "files/material_difference.h"
+
+#include <algorithm>
 #include <utility>
 
 namespace torrance {
@@ -31,8 +34,7 @@ void applyEdits(const Edits& edits, Scene& scene)
 Material withTexturesOf(const Material& textures, const Material& factors)
 {
     Material result = factors;
-    for (const auto role : {&Material::baseColor, &Material::metallicRoughness, &Material::normal, &Material::occlusion,
-                            &Material::emissive})
+    for (const auto& [name, role] : kTextureUses)
         result.*role = textures.*role;
     result.normalScale = textures.normalScale;
     result.occlusionStrength = textures.occlusionStrength;
@@ -49,6 +51,39 @@ void EditHistory::commit(Edits edits)
         past.pop_front();
     future.clear();
     present = std::move(edits);
+}
+
+namespace {
+
+bool readsOnly(const std::vector<Material>& materials, std::size_t textures)
+{
+    for (const Material& material : materials)
+        for (const auto& [name, role] : kTextureUses)
+            if ((material.*role).used() && static_cast<std::size_t>((material.*role).texture) >= textures)
+                return false;
+    return true;
+}
+
+} // namespace
+
+bool EditHistory::goOnWith(const Edits& readAgain, std::size_t textures)
+{
+    const auto means = [&](const Edits& state) {
+        return state.materials.size() == readAgain.materials.size() &&
+               state.primitiveMaterials.size() == readAgain.primitiveMaterials.size() &&
+               readsOnly(state.materials, textures);
+    };
+    if (present.materials != readAgain.materials || present.primitiveMaterials != readAgain.primitiveMaterials ||
+        !std::ranges::all_of(past, means) || !std::ranges::all_of(future, means))
+        return false;
+    for (std::deque<Edits>* states : {&past, &future})
+        for (Edits& state : *states)
+            state.duplicateOf.clear(); // they are the file's own now
+    previewed.reset();
+    present.duplicateOf.clear();
+    saved = present;
+    asLoaded = readAgain;
+    return true;
 }
 
 // The last of `from` becomes the present state, and that the last of `to`.

@@ -66,6 +66,10 @@ public:
     /// Materials or their places differ from what was loaded or saved last.
     bool isDirty() const;
     void markSaved(Edits edits) { saved = std::move(edits); }
+    /// The scene was read again, from a file that holds what is shown now: the states before stay, where they mean the
+    /// same in it. False, and nothing is changed, where they do not: it has other materials, or one of the states has
+    /// more or fewer, or textures that are not there (`textures`: how many are).
+    bool goOnWith(const Edits& readAgain, std::size_t textures);
     /// As they were read.
     const Edits& loaded() const { return asLoaded; }
 

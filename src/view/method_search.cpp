@@ -12,10 +12,6 @@ void MethodSearch::start(const Scene& scene, const Camera& camera, const Setting
     requireCertifiable(scene, asked);
     stop();
     stops = false;
-    asksFor.reset();
-    picture.reset();
-    result.reset();
-    failure = nullptr;
     thread = std::thread([this, &scene, camera, asked, measured = std::move(table), tolerance] {
         const ToleranceTask task = {.scene = scene,
                                     .camera = camera,
@@ -52,6 +48,9 @@ void MethodSearch::stop()
     given.notify_all();
     if (thread.joinable())
         thread.join();
+    asksFor.reset();
+    result.reset();
+    failure = nullptr;
 }
 
 std::optional<Settings> MethodSearch::wanted() const

@@ -1,18 +1,15 @@
 #include "view/saved_scene.h"
 
-#include <array>
+#include "files/material_difference.h"
 
 namespace torrance {
 namespace {
-
-constexpr std::array kRoles = {&Material::baseColor, &Material::metallicRoughness, &Material::normal,
-                               &Material::occlusion, &Material::emissive};
 
 std::vector<int> readTextures(const std::vector<Material>& materials, std::size_t count)
 {
     std::vector<int> readers(count, 0);
     for (const Material& material : materials)
-        for (const auto role : kRoles)
+        for (const auto& [name, role] : kTextureUses)
             if ((material.*role).used())
                 ++readers[static_cast<std::size_t>((material.*role).texture)];
     return readers;
@@ -51,7 +48,7 @@ SceneToSave sceneToSave(const EditHistory& history, const Scene& scene,
         result.pictures.push_back(pictures[i - textures]);
     }
     for (Material& material : result.edited.materials)
-        for (const auto role : kRoles)
+        for (const auto& [name, role] : kTextureUses)
             if ((material.*role).used())
                 (material.*role).texture = placeOf[static_cast<std::size_t>((material.*role).texture)];
     return result;

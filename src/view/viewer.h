@@ -180,7 +180,7 @@ private:
     {
         int instance = -1;
         std::size_t picture = 0; // number of the scene's picture
-        const gpu::DeviceImage* line = nullptr;
+        OutlinePass::Line line;
     };
     Outlined outlined;
     DisplayPlace shownTerm;                // how the numbers of a term are shown

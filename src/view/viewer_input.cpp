@@ -246,6 +246,8 @@ void Viewer::handleKeys(const std::vector<KeyPress>& presses)
             handleControlKey(press);
         else if (press.key == GLFW_KEY_TAB)
             state.showPanels = !state.showPanels;
+        else if (press.key == GLFW_KEY_ESCAPE && state.error.empty())
+            state.selectedInstance = -1;
         else if (press.key == GLFW_KEY_ESCAPE)
             state.error.clear();
         else if (press.key == GLFW_KEY_R)

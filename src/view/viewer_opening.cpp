@@ -72,13 +72,17 @@ void Viewer::show(OpenedScene opened)
     turntable.reset();
     state.pictures.clear();
     state.scene = std::move(opened.scene);
-    state.history.emplace(editsOf(state.scene->scene(), opened.environment));
+    const Scene& scene = state.scene->scene();
+    Edits read = editsOf(scene, opened.environment);
+    const bool goesOn = opened.keepsView && state.history && state.history->goOnWith(read, scene.textures.size());
+    if (!goesOn)
+        state.history.emplace(std::move(read));
     state.environmentName = opened.environment.name;
     offerEnvironment(state.environmentName);
-    state.selectedInstance = -1;
-    state.selectedMaterial = -1;
+    if (!goesOn || state.selectedInstance >= static_cast<int>(scene.instances.size()))
+        state.selectedInstance = state.selectedMaterial = -1;
     const auto* file = std::get_if<FileView>(&state.view);
-    if (!opened.keepsView || (file && file->index >= static_cast<int>(state.scene->scene().cameras.size())))
+    if (!opened.keepsView || (file && file->index >= static_cast<int>(scene.cameras.size())))
         state.view = FittedView{};
     state.changed = true; // the window may have another size by now
     state.opening.clear();

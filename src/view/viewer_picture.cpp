@@ -160,13 +160,13 @@ void Viewer::showErrors()
 // Of the picture that is shown; the same until that, or what is selected, is another.
 void Viewer::drawOutline()
 {
-    const Outlined now = {.instance = hasFrame ? state.selectedInstance : -1, .picture = state.scenesDrawn};
+    const Outlined now = {.instance = hasFrame ? state.selectedInstance : -1, .picture = state.scenesDrawn, .line = {}};
     if (now.instance == outlined.instance && now.picture == outlined.picture)
         return;
     swapchain.waitUntilIdle(); // the old one may still be shown
     outlined = now;
     if (now.instance >= 0)
-        outlined.line = &outline.draw(*state.scene->device, shownCamera, now.instance, area.size);
+        outlined.line = outline.draw(*state.scene->device, shownCamera, now.instance, area.size);
 }
 
 void Viewer::drawMarks()
@@ -184,9 +184,8 @@ void Viewer::drawMarks()
                     kLine = IM_COL32(255, 255, 255, 255), kLamp = IM_COL32(255, 230, 90, 255);
     const ImVec2 first = inWindow(dvec2(0.0)), beyond = inWindow(dvec2(area.size));
     list.PushClipRect(first, beyond);
-    if (outlined.line)
-        list.AddImage(const_cast<gpu::DeviceImage*>(outlined.line), first, beyond, {0.0f, 0.0f}, {1.0f, 1.0f},
-                      kSelected);
+    if (const auto& [picture, part] = outlined.line; picture)
+        list.AddImage(const_cast<gpu::DeviceImage*>(picture), first, beyond, {0.0f, 0.0f}, {part.x, part.y}, kSelected);
     for (const Light& light : state.edits().lights)
         if (const auto pixel = light.kind == Light::Kind::directional
                                    ? std::nullopt

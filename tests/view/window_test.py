@@ -400,7 +400,14 @@ class WindowTest(unittest.TestCase):
                 self.assertEqual(new["pbrMetallicRoughness"]["metallicFactor"], metallic)
                 old["pbrMetallicRoughness"]["metallicFactor"] = metallic
         self.assertEqual(before, after, "nothing else has changed")
+        window.key("Escape")
+        window.wait_for(lambda r: r["selected_object"] < 0, "no object to be selected")
         self.expect_as_rendered("saved")
+        window.key("ctrl+z")
+        report = window.wait_for(lambda r: r["unsaved"], "the step to be undone")
+        self.assertNotEqual(report["materials"][report["selected_material"]]["metallicFactor"], metallic)
+        window.key("ctrl+shift+z")
+        window.wait_for(lambda r: not r["unsaved"], "the step to be done again")
         self.leave()
 
     def test_material_file(self):

@@ -145,5 +145,49 @@ TEST(EditHistory, IsBounded)
     EXPECT_EQ(steps, kMostUndoSteps);
 }
 
+Edits twoMaterials(double roughness)
+{
+    Edits edits;
+    edits.materials.resize(2);
+    edits.materials[0].roughnessFactor = roughness;
+    edits.materials[1].baseColor.texture = 0;
+    edits.primitiveMaterials = {0, 1};
+    return edits;
+}
+
+TEST(EditHistory, GoesOnAfterItsSceneWasSavedAndReadAgain)
+{
+    EditHistory history(twoMaterials(0.5));
+    history.commit(twoMaterials(0.25));
+    Edits lit = twoMaterials(0.25);
+    lit.lights.resize(1);
+    history.commit(lit);
+    ASSERT_TRUE(history.goOnWith(twoMaterials(0.25), 1));
+    EXPECT_FALSE(history.isDirty());
+    EXPECT_EQ(history.now().lights.size(), 1u) << "no part of the file";
+    history.undo();
+    history.undo();
+    EXPECT_EQ(history.now().materials[0].roughnessFactor, 0.5);
+    EXPECT_TRUE(history.isDirty()) << "the file holds 0.25";
+}
+
+TEST(EditHistory, EndsWhereItsStatesMeanSomethingElse)
+{
+    const auto after = [](const Edits& first, const Edits& now) {
+        EditHistory history(first);
+        history.commit(now);
+        return history;
+    };
+    EXPECT_FALSE(after(twoMaterials(0.5), twoMaterials(0.25)).goOnWith(twoMaterials(0.75), 1)) << "another file";
+    EXPECT_FALSE(after(twoMaterials(0.5), twoMaterials(0.25)).goOnWith(twoMaterials(0.25), 0)) << "a texture less";
+    Edits three = twoMaterials(0.25);
+    three.materials.emplace_back();
+    three.duplicateOf = {0};
+    EditHistory duplicated = after(twoMaterials(0.5), three);
+    EXPECT_FALSE(duplicated.goOnWith(three, 1)) << "the state before has no third";
+    EXPECT_TRUE(duplicated.canUndo()) << "nothing was changed";
+    EXPECT_EQ(duplicated.now().duplicateOf.size(), 1u);
+}
+
 } // namespace
 } // namespace torrance
