@@ -22,6 +22,7 @@ import desktop  # noqa: E402
 import pictures  # noqa: E402
 
 PROGRAM = ""
+TOLERANCE = 0.009  # of the demo scene, that the standard plan does not keep
 PANEL_CODES = 3  # a panel lies over the window, a frame over it, a text over that: each blended, and rounded to a code
 PICTURES = ""  # where screenshots are kept; empty: nowhere
 
@@ -262,7 +263,7 @@ class WindowTest(unittest.TestCase):
     def test_tolerance(self):
         settings = self.folder / "config" / "torrance" / "settings.json"
         settings.parent.mkdir(parents=True)
-        settings.write_text(json.dumps({"width": 900, "height": 640, "panels": True, "turntable_frames": 36, "tolerance": 0.1,
+        settings.write_text(json.dumps({"width": 900, "height": 640, "panels": True, "turntable_frames": 36, "tolerance": TOLERANCE,
                                         "lamp_speed": 30}))
         before = self.open()["command"]
         window = self.window
@@ -272,13 +273,15 @@ class WindowTest(unittest.TestCase):
         window.click("method.find")
         report = window.wait_for(lambda r: "found" in r and not r["finds_methods"], "methods")
         self.assertTrue(report["found"]["holds"])
-        self.assertLessEqual(report["found"]["high"], 0.1)
+        self.assertLessEqual(report["found"]["high"], TOLERANCE)
+        self.assertGreater(report["found"]["pictures"], 1, "the first methods do not keep it")
+        self.assertTrue([a for a in report["command"] if a.startswith("--environment-specular=")], "another than the preset's")
         self.keep("tolerance")
         self.expect_as_rendered("tolerance")
         window.rest()
         file = self.rendered(window.report(), "--certify")
         certificate = json.loads(Path(f"{file}.certificate.json").read_text())
-        self.assertLessEqual(certificate["shading"]["mean"]["value"], 0.1)
+        self.assertLessEqual(certificate["shading"]["mean"]["value"], TOLERANCE)
         found = window.report()["command"]
         self.drag_slider("method.tolerance", 0.0)
         window.click("method.find")
