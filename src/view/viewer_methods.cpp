@@ -11,7 +11,7 @@ void Viewer::handle(const FindMethods& request)
 {
     if (!state.scene)
         return;
-    stopFinding();
+    stopReading();
     if (state.changed) { // the scene as the panels have it is what the search reads
         applyEdits(state.edits(), state.scene->scene());
         state.changed = false;

@@ -11,27 +11,14 @@
 namespace torrance::test {
 namespace {
 
-constexpr int kWidth = 256; // of the panorama: a chain of four levels
-constexpr int kLevels = 4;
+constexpr int kLevels = 4; // of the chain that environmentOf's width gives
 constexpr int kSize = 12;
-
-// Bright on one side, all bands, no edge.
-dvec3 glow(const dvec3& d)
-{
-    const double lamp = std::exp(4.0 * (glm::dot(d, glm::normalize(dvec3(0.5, 0.7, 0.4))) - 1.0));
-    return dvec3(0.3 + 3.0 * lamp, 0.5 + 2.0 * lamp + 0.2 * d.x, 0.8 + 0.3 * d.y * d.z);
-}
 
 Scene glowing()
 {
     Scene scene;
-    scene.environment = Environment{.name = "glow", .radiance = Image(kWidth, kWidth / 2, 3), .rotation = 0.7};
-    for (int y = 0; y < kWidth / 2; ++y)
-        for (int x = 0; x < kWidth; ++x) {
-            const dvec3 value = glow(directionFromLatLong({(x + 0.5) / kWidth, (y + 0.5) / (kWidth / 2)}));
-            for (int c = 0; c < 3; ++c)
-                scene.environment->radiance.at(x, y)[c] = static_cast<float>(value[c]);
-        }
+    scene.environment = environmentOf(glow);
+    scene.environment->rotation = 0.7;
     scene.materials.push_back(plainMaterial(dvec3(1.0), 0.0, 0.5));
     scene.shapes.push_back(
         {.kind = AnalyticShape::Kind::sphere, .material = 0, .worldFromObject = dmat4(1.0), .name = "ball"});
@@ -63,7 +50,7 @@ dvec3 blurred(const dvec3& n, double alpha)
 // A camera in front of the ball that looks away from it.
 Camera awayCamera()
 {
-    Camera camera = {.verticalFov = 1.2, .nearPlane = 0.1};
+    Camera camera = {.name = "away", .verticalFov = 1.2, .nearPlane = 0.1};
     camera.worldFromCamera[3] = dvec4(0.0, 0.0, -3.0, 1.0);
     return camera;
 }

@@ -5,7 +5,6 @@
 #include "core/error.h"
 #include "drawing.h"
 #include "math/frame.h"
-#include "math/latlong.h"
 #include "math/low_discrepancy.h"
 #include "math/pixel_rotation.h"
 #include "math/sampling.h"
@@ -35,26 +34,6 @@ std::vector<const Method*> rowsOf(Slot slot)
         if (method.slot == slot && method.ownModel.empty()) // those of sources are judged by themselves
             rows.push_back(&method);
     return rows;
-}
-
-// Bright on one side, all bands, no edge.
-dvec3 glow(const dvec3& d)
-{
-    const double lamp = std::exp(4.0 * (glm::dot(d, glm::normalize(dvec3(0.5, 0.7, 0.4))) - 1.0));
-    return dvec3(0.3 + 3.0 * lamp, 0.5 + 2.0 * lamp + 0.2 * d.x, 0.8 + 0.3 * d.y * d.z);
-}
-
-Environment environmentOf(dvec3 (*radiance)(const dvec3&))
-{
-    constexpr int kWidth = 256;
-    Environment environment = {.name = "test", .radiance = Image(kWidth, kWidth / 2, 3)};
-    for (int y = 0; y < kWidth / 2; ++y)
-        for (int x = 0; x < kWidth; ++x) {
-            const dvec3 value = radiance(directionFromLatLong({(x + 0.5) / kWidth, (y + 0.5) / (kWidth / 2)}));
-            for (int c = 0; c < 3; ++c)
-                environment.radiance.at(x, y)[c] = static_cast<float>(value[c]);
-        }
-    return environment;
 }
 
 Scene ball(const Material& material, Environment environment)

@@ -36,6 +36,11 @@ Scene maskedHalf(int size, double place);
 /// Without perspective; the square fills the picture but for `place`.
 Camera maskedHalfCamera();
 
+/// Radiance that is bright on one side, of all bands, without an edge.
+dvec3 glow(const dvec3& direction);
+/// A panorama of 256 x 128 texels.
+Environment environmentOf(dvec3 (*radiance)(const dvec3&));
+
 dmat4 translation(const dvec3& offset);
 
 } // namespace torrance::test
