@@ -15,6 +15,7 @@
 #include "core/error.h"
 #include "core/log.h"
 #include "core/read_file.h"
+#include "math/norm.h"
 #include "math/replicates.h"
 #include "reference/checkpoint.h"
 #include "reference/reference_settings.h"
@@ -100,10 +101,9 @@ Picture layersOf(const TrialDevice& on, const Scene& scene, const Camera& camera
 double noiseOf(const SurfaceTruth& truth)
 {
     double widths = 0.0, norms = 0.0;
-    for (std::size_t i = 0; i < truth.counted.size(); ++i) {
-        const float *v = &truth.variance.texels[3 * i], *c = &truth.color.texels[3 * i];
-        widths += halfWidth95(dvec3(v[0], v[1], v[2]));
-        norms += double(c[0]) + double(c[1]) + double(c[2]);
+    for (const Replicates& light : truth.light) { // 0 where nothing counts
+        widths += halfWidth95(light.variance());
+        norms += norm1(light.mean());
     }
     return norms > 0.0 ? widths / norms : 0.0;
 }

@@ -6,6 +6,7 @@
 #include "measure/image_metrics.h"
 #include "study/base64.h"
 #include "study/error_picture.h"
+#include "study/pixel_error.h"
 #include "study/timed_frame.h"
 
 #include <algorithm>
@@ -70,10 +71,10 @@ struct Drawn
     std::optional<DeviceScene> uploaded;
 };
 
-// Over pixels that count: the sum of |d - c|_1 over that of |c|_1, and each pixel's own.
-double relativeError(const Image& drawn, const Image& exact, const std::vector<bool>& counted, Image* pixels)
+// Over pixels that count: the sum of |d - c|_1 over that of |c|_1.
+double relativeError(const Image& drawn, const Image& exact, const std::vector<bool>& counted)
 {
-    double differences = 0.0, norms = 0.0, count = 0.0;
+    double differences = 0.0, norms = 0.0;
     for (std::size_t i = 0; i < counted.size(); ++i) {
         if (!counted[i])
             continue;
@@ -81,15 +82,42 @@ double relativeError(const Image& drawn, const Image& exact, const std::vector<b
         const float* c = exact.texels.data() + i * static_cast<std::size_t>(exact.channels);
         differences += distance1(d, c, 3);
         norms += norm1(c, 3);
+    }
+    return norms > 0.0 ? differences / norms : 0.0;
+}
+
+struct ShadingError
+{
+    double mean = 0.0;
+    Image pixels; // each pixel's own
+};
+
+// The same where the truth is known through estimates: their noise is taken out, as far as it can be.
+ShadingError shadingError(const Image& drawn, const SurfaceTruth& truth)
+{
+    ShadingError error = {0.0, Image(drawn.width, drawn.height, 1)};
+    std::vector<PixelError> pixels(truth.counted.size());
+    double above = 0.0, below = 0.0, variance = 0.0, norms = 0.0, count = 0.0;
+    for (std::size_t i = 0; i < pixels.size(); ++i) {
+        if (!truth.counted[i])
+            continue;
+        const float* d = drawn.texels.data() + i * static_cast<std::size_t>(drawn.channels);
+        pixels[i] = pixelError(dvec3(d[0], d[1], d[2]), truth.light[i]);
+        above += pixels[i].above;
+        below += pixels[i].below;
+        variance += pixels[i].errorVariance;
+        norms += pixels[i].norm;
         count += 1.0;
     }
-    for (std::size_t i = 0; pixels && i < counted.size(); ++i)
-        if (counted[i]) {
-            const float* d = drawn.texels.data() + i * static_cast<std::size_t>(drawn.channels);
-            const float* c = exact.texels.data() + i * static_cast<std::size_t>(exact.channels);
-            pixels->texels[i] = static_cast<float>(distance1(d, c, 3) / (norm1(c, 3) + kPixelFloor * norms / count));
-        }
-    return norms > 0.0 ? differences / norms : 0.0;
+    if (norms <= 0.0)
+        return error;
+    // As PixelError::middle, of the sums. What lies within its own standard error of 0 cannot be told from that.
+    error.mean = std::sqrt(above * std::max(below, std::sqrt(variance))) / norms;
+    for (std::size_t i = 0; i < pixels.size(); ++i)
+        if (truth.counted[i])
+            error.pixels.texels[i] =
+                static_cast<float>(pixels[i].middle() / (pixels[i].norm + kPixelFloor * norms / count));
+    return error;
 }
 
 constexpr int kHoverSide = 192;
@@ -124,17 +152,17 @@ PlanResult measurePlan(const TrialDevice& on, const Scene& scene, const Camera& 
     const Image one = drawn.supersampled(camera, 1, checkpoint);
     const Image many = drawn.supersampled(camera, kManyPlanSamples, checkpoint);
     const Image own = variant.settings.samples == 1 ? one : drawn.picture(camera, checkpoint);
-    Image pixels(one.width, one.height, 1);
+    const ShadingError shading = shadingError(one, truth);
     PlanResult result = {.name = variant.name,
                          .kind = variant.kind,
                          .milliseconds = 1e3 * median(ownTimes),
                          .ratio = {ratio.median, ratio.low, ratio.high},
-                         .shading = relativeError(one, truth.color, truth.counted, &pixels),
-                         .sampling = relativeError(own, many, truth.counted, nullptr),
+                         .shading = shading.mean,
+                         .sampling = relativeError(own, many, truth.counted),
                          .picture = {},
                          .error = {}};
     result.picture = encoded(toDisplay(reduced(own, reductionOf(own)), {}));
-    result.error = encoded(errorPicture(reduced(pixels, reductionOf(pixels))));
+    result.error = encoded(errorPicture(reduced(shading.pixels, reductionOf(shading.pixels))));
     return result;
 }
 

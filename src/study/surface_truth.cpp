@@ -68,9 +68,9 @@ SurfaceTruth surfaceTruth(const Scene& scene, const Camera& camera, const brdf::
 {
     const Surfaces surfaces(picture);
     const int width = picture.color.width, height = picture.color.height;
-    SurfaceTruth truth = {Image(width, height, 3), Image(width, height, 3),
-                          std::vector<bool>(static_cast<std::size_t>(width) * static_cast<std::size_t>(height), false)};
-    std::vector<std::uint8_t> counted(truth.counted.size(), 0);
+    const std::size_t pixels = static_cast<std::size_t>(width) * static_cast<std::size_t>(height);
+    SurfaceTruth truth = {std::vector<Replicates>(pixels), std::vector<bool>(pixels, false)};
+    std::vector<std::uint8_t> counted(pixels, 0);
     std::vector<Light> exactLights, balls;
     for (const Light& light : scene.lights)
         (isSphere(light) ? balls : exactLights).push_back(light);
@@ -97,7 +97,7 @@ SurfaceTruth surfaceTruth(const Scene& scene, const Camera& camera, const brdf::
             const dvec3 position = colorAt(surfaces.position, x, y) - eye;
             const Ray ray = primaryRay(camera, width, height, x + 0.5, y + 0.5);
             const dvec3 view = -glm::normalize(ray.direction);
-            dvec3 color = shade(methods, {exactLights}, point, eye, position, view);
+            const dvec3 color = shade(methods, {exactLights}, point, eye, position, view);
             std::vector<LightIntegral> integrals;
             if (!point.unlit) {
                 if (lit && point.occlusion != 0.0)
@@ -106,16 +106,12 @@ SurfaceTruth surfaceTruth(const Scene& scene, const Camera& camera, const brdf::
                     integrals.emplace_back(yardstick, SphereLight(ball, eye, position), point, view,
                                            DirectionChoice::combined);
             }
-            Replicates means;
-            for (std::uint64_t replicate = 0; replicate < kReplicates; ++replicate)
+            Replicates& light = truth.light[place];
+            for (std::uint64_t replicate = 0; replicate < kReplicates; ++replicate) {
+                light.values[replicate] = color;
                 for (std::uint64_t i = 0; i < integrals.size(); ++i)
-                    means.values[replicate] += integrals[i].sumOfTurns(hashNumbers({place, i, replicate}), 0, turns) /
+                    light.values[replicate] += integrals[i].sumOfTurns(hashNumbers({place, i, replicate}), 0, turns) /
                                                (double(turns) * kDirectionsPerTurn);
-            color += means.mean();
-            const dvec3 variance = means.variance();
-            for (int c = 0; c < 3; ++c) {
-                truth.color.at(x, y)[c] = static_cast<float>(color[c]);
-                truth.variance.at(x, y)[c] = static_cast<float>(variance[c]);
             }
         }
     });

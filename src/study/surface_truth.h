@@ -2,15 +2,16 @@
 // against. Textures and triangles are the device's own, so that what filtering does to them is no error of shading.
 #pragma once
 
+#include "math/replicates.h"
 #include "passes/renderer.h"
 
 namespace torrance {
 
 struct SurfaceTruth
 {
-    Image color;               // RGB, scene-linear; 0 where nothing counts
-    Image variance;            // of the mean
-    std::vector<bool> counted; // row by row: pixels with a surface that is not blended
+    // Row by row.
+    std::vector<Replicates> light; // independent estimates, scene-linear; 0 where nothing counts
+    std::vector<bool> counted;     // pixels with a surface that is not blended
 };
 
 /// `picture` was drawn with Settings::layers. Light from all around and from lights with a radius by `directions` each,

@@ -32,7 +32,7 @@ void drawList(const PanelContext& context, const std::vector<Material>& material
 
 void drawNames(const PanelContext& context, EditScope& edit, Material& material)
 {
-    edit.after(inputText("name", material.name));
+    edit.after(inputWhole("name", material.name));
     context.mark("material.name");
     const auto known = namedMaterials();
     std::vector<std::string> names;

@@ -38,11 +38,6 @@ bool colorLinear(const char* label, dvec3& value)
     return true;
 }
 
-bool inputText(const char* label, std::string& value)
-{
-    return ImGui::InputText(label, &value);
-}
-
 bool inputWhole(const char* label, std::string& value)
 {
     return ImGui::InputText(label, &value, ImGuiInputTextFlags_AutoSelectAll);

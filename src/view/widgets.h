@@ -19,8 +19,7 @@ bool dragPoint(const char* label, dvec3& value, double speed);
 /// A scene-linear colour, chosen by its sRGB codes. Where it is not touched it keeps its bits.
 bool colorLinear(const char* label, dvec3& value);
 
-bool inputText(const char* label, std::string& value);
-/// The same, selected whole when it is clicked: mostly it is replaced.
+/// A text, selected whole when it is clicked: mostly it is replaced.
 bool inputWhole(const char* label, std::string& value);
 
 struct PanelContext;

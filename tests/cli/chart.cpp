@@ -97,6 +97,8 @@ TEST(Chart, ChartsWhatTolerancesChoose)
     ASSERT_EQ(chosen.size(), 2u);
     EXPECT_LT(chosen.at("tolerance 5 %"), 0.05);
     EXPECT_LT(chosen.at("tolerance 2 %"), 0.02);
+    for (const json& plan : plans["plans"])
+        EXPECT_GT(plan["shading"], 0.0) << plan["name"];
     const std::string page = contentOf(folder.file("out/plans.svg"));
     EXPECT_NE(page.find("stroke-dasharray"), std::string::npos) << "lines of tolerances";
 }

@@ -379,10 +379,61 @@ class WindowTest(unittest.TestCase):
         self.assertLessEqual(worst, 1)
         self.leave()
 
+    def own_demo(self):
+        """A copy of the demo scene that may be written."""
+        shutil.copytree(Path(PROGRAM).parent.parent / "share" / "torrance" / "assets" / "demo", self.folder, dirs_exist_ok=True)
+        return self.folder / "demo.gltf"
+
+    def test_assign(self):
+        """Another material for an object, one of its own, its name and its texture: undone, and saved."""
+        file = self.own_demo()
+        pictures.Picture(2, 2, bytes([250, 20, 20] * 4)).write(self.folder / "red.png")
+        self.open(scene=file)
+        window = self.window
+        window.click("section.Scene")  # makes room
+        before = window.shown()
+        window.click(window.picture_place(0.42, 0.65))
+        report = window.wait_for(lambda r: r["selected_object"] >= 0, "an object to be selected")
+        places, chosen = report["primitive_materials"], report["selected_material"]
+        other = 0 if chosen else 1
+        window.click(f"material.list.{other}")
+        window.click("material.assign")
+        report = window.wait_for(lambda r: r["primitive_materials"] != places, "the other material")
+        self.assertEqual([a for a, b in zip(report["primitive_materials"], places) if a != b], [other])
+        window.key("ctrl+z")
+        window.wait_for(lambda r: r["primitive_materials"] == places, "the first material again")
+        window.click(f"material.list.{chosen}")
+        window.click("material.duplicate")
+        count = len(report["materials"])
+        window.wait_for(lambda r: len(r["materials"]) == count + 1 and r["selected_material"] == count, "a copy")
+        window.click("material.name")  # which selects all of it
+        window.type("mine")
+        window.key("Return")
+        window.wait_for(lambda r: r["materials"][count]["name"] == "mine", "its name")
+        window.click("material.assign")
+        window.wait_for(lambda r: count in r["primitive_materials"], "the object to have it")
+        window.click("material.textures")
+        window.click("material.choose.base colour")
+        window.click("browser.red.png")
+        window.key("Escape")
+        window.wait_for(lambda r: r["selected_object"] < 0, "no object to be selected")
+        self.assertGreater(window.shown().worst_difference(before)[0], 50)
+        self.keep("assign")
+        window.key("ctrl+s")
+        window.click("browser.save")
+        window.click("browser.save")  # "Replace it"
+        window.wait_for(lambda r: not r["unsaved"], "the scene to be saved")
+        saved = json.loads(file.read_text())
+        material = saved["materials"][count]
+        self.assertEqual(material["name"], "mine")
+        image = saved["textures"][material["pbrMetallicRoughness"]["baseColorTexture"]["index"]]["source"]
+        self.assertIn("uri", saved["images"][image])
+        self.assertEqual((self.folder / saved["images"][image]["uri"]).read_bytes(), (self.folder / "red.png").read_bytes())
+        self.expect_as_rendered("assigned")
+        self.leave()
+
     def test_save(self):
-        source = Path(PROGRAM).parent.parent / "share" / "torrance" / "assets" / "demo"
-        shutil.copytree(source, self.folder, dirs_exist_ok=True)
-        file = self.folder / "demo.gltf"
+        file = self.own_demo()
         before = json.loads(file.read_text())
         self.open(scene=file)
         window = self.window
@@ -680,10 +731,7 @@ class WindowTest(unittest.TestCase):
         self.leave()
 
     def test_watch(self):
-        file = self.folder / "scene.gltf"
-        source = Path(PROGRAM).parent.parent / "share" / "torrance" / "assets" / "demo"
-        shutil.copytree(source, self.folder, dirs_exist_ok=True)
-        shutil.copy(source / "demo.gltf", file)
+        file = self.own_demo()
         self.open("--watch", scene=file)
         window = self.window
         before = window.shown()
