@@ -114,8 +114,11 @@ std::vector<Tolerance> tolerancesOf(const std::string& list)
     if (list == "none")
         return tolerances;
     std::istringstream stream(list);
-    for (std::string text; std::getline(stream, text, ',');)
+    for (std::string text; std::getline(stream, text, ',');) {
+        if (text.empty())
+            throw usageError("--tolerance " + list + ": one of the list is empty", "write draft,1% or none");
         tolerances.push_back({.mean = parseTolerance(text), .percentile99 = {}});
+    }
     return tolerances;
 }
 

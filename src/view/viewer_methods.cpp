@@ -3,8 +3,6 @@
 
 #include "passes/targets.h"
 
-#include <fmt/format.h>
-
 namespace torrance {
 
 void Viewer::handle(const FindMethods& request)

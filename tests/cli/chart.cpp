@@ -132,6 +132,7 @@ TEST(Chart, RefusesWhatHasNoEffect)
                                                {"chart", "-o", out, "--seconds", "-1"},
                                                {"chart", "-o", out, "-e", "none"},
                                                {"chart", "-o", out, "demo", "--tolerance", "0"},
+                                               {"chart", "-o", out, "demo", "--tolerance", "draft,,1%"},
                                                {"chart", "-o", out, "--tolerance", "draft"},
                                                {"calibrate"}})
     {
