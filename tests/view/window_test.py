@@ -201,7 +201,7 @@ class WindowTest(unittest.TestCase):
         window.key("ctrl+z", "ctrl+z")
         window.wait_for(lambda r: r["environment"] == "studio", "the studio again")
         self.expect_as_rendered("studio")
-        window.key(*["minus"] * 30)  # until the environment is seen behind the scene
+        self.go_away(10)  # until the environment is seen behind the scene
         sharp = window.shown()
         self.drag_slider("light.blur")
         report = window.wait_for(lambda r: any("--background-blur" in a for a in r["command"]), "the blur")
@@ -220,10 +220,8 @@ class WindowTest(unittest.TestCase):
         before = window.wait_for(lambda r: len(r["lights"]) == 1, "a lamp")["lights"][0]
         self.assertGreater(window.shown().worst_difference(dark)[0], 20)
         window.key("7")  # from above, the whole scene: the lamp is somewhere in the picture or beside it
-        command = window.wait_for(lambda r: "--orbit=0,0" in r["command"], "the view from above")["command"]
-        for _ in range(8):
-            window.key("minus")
-            command = window.wait_for(lambda r: r["command"] != command, "the camera to go farther away")["command"]
+        window.wait_for(lambda r: "--orbit=0,0" in r["command"], "the view from above")
+        self.go_away(3)
         shown = window.shown()
         x, y, width, height = window.report()["picture"]
         # The lamp's mark is the one place of this colour.
@@ -239,6 +237,14 @@ class WindowTest(unittest.TestCase):
         window.key("ctrl+z")
         window.wait_for(lambda r: r["lights"][0] == before, "the lamp to go back")
         self.leave()
+
+    def go_away(self, times):
+        """Each time by a third of the distance."""
+        for _ in range(times):
+            command = self.window.report()["command"]
+            self.window.key("minus", "minus", "minus")
+            self.window.wait_for(lambda r: r["command"] != command, "the camera to go farther away")
+            self.window.rest()
 
     def test_turning_lamps(self):
         self.open()
