@@ -257,6 +257,12 @@ def peer_versions():
     return [f"- Peers: {', '.join(known)} in Chromium on the same driver (ANGLE on Vulkan); VTK and f3d on its OpenGL.", ""]
 
 
+def measured_with(part, about):
+    """Of a part that another program has measured than that of the page's head."""
+    program = part.get("program", about["program"])
+    return "" if program == about["program"] else f" Measured with {program}."
+
+
 def page():
     about = BENCH or GROWTH
     rounds = max([len(figures("torrance", f["model"], 1, "cpu_ms")) for f in FRAMES], default=0)
@@ -286,7 +292,7 @@ def page():
                  "Scenes made in memory by `torrance bench --growth all`, 1024x1024. A line a + b n is fitted to each of "
                  f"{GROWTH['series'][0]['rounds']} rounds over all sizes; b is their median with its 95 % interval, and so is "
                  "the exponent p of a + b n^p through the three greatest sizes. Super-linear is what lies above 1.15: n log n "
-                 "at a thousand does not.", "",
+                 "at a thousand does not." + measured_with(GROWTH, about), "",
                  f"![Frame and preparation against size]({chart_file.name})", ""]
         text += growth_table()
     memory = memory_lines()

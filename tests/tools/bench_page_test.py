@@ -87,6 +87,10 @@ class BenchPage(unittest.TestCase):
         self.assertIn("(page-growth.svg)", text)
         lines_drawn = [e for e in xml.etree.ElementTree.fromstring(chart).iter() if e.tag.endswith("polyline")]
         self.assertEqual(len(lines_drawn), 2)
+        self.assertNotIn("Measured with", text)
+        later = GROWTH | {"program": "torrance 1"}
+        text, _ = page({"frames.jsonl": lines(FRAMES), "bench.json": json.dumps(ABOUT), "growth.json": json.dumps(later)})
+        self.assertIn("Measured with torrance 1.", text)
 
     def test_says_what_memory_does(self):
         soak = {"renders": 10000, "growth": 0.01, "after_warm_up": {"own_bytes": 2**20, "allocated_bytes": 2**19},
