@@ -1,5 +1,5 @@
-// What is the same for all surfaces of a picture. Positions are relative to the eye, axes are the world's: coordinates
-// of a million metres lose nothing.
+// What is the same for all surfaces of a picture. Positions are relative to the eye, axes are the world's: coordinates of
+// a million metres lose nothing.
 #ifndef TORRANCE_SHARED_FRAME_H
 #define TORRANCE_SHARED_FRAME_H
 
@@ -11,8 +11,7 @@ struct Frame
 {
     mat4 clipFromEye; // eye-relative position to clip, reversed depth, moved by the sample's place in the pixel
 
-    // The direction to the viewer is normalize(towardsEye - eyeWeight * position): perspective (0, 1), orthographic
-    // (back, 0).
+    // The direction to the viewer is normalize(towardsEye - eyeWeight * position): perspective (0, 1), orthographic (back, 0).
     vec3 towardsEye;
     float eyeWeight;
 
@@ -27,10 +26,10 @@ struct Frame
 
     mat3 environmentFromWorld; // rotation
     float environmentIntensity;
-    float environmentLastLevel;  // of the prefiltered chain
+    float environmentLastLevel; // of the prefiltered chain
     vec3 irradianceHarmonics[9]; // irradiance / pi in shBasis's order, for environment_diffuse sh9
-    float panoramaLevel; // mip of what is seen behind the scene: of the panorama, the one of about one texel a pixel
-    uint picture;        // number of this picture among those whose mean is the result
+    float panoramaLevel;        // mip of what is seen behind the scene: of the panorama, the one of about one texel a pixel
+    uint picture;               // number of this picture among those whose mean is the result
 
     uint viewTerm;  // shared/view.h: read by passes/surface_view.frag
     uint viewLight; // number of the light whose terms are viewed

@@ -66,11 +66,12 @@ DeviceImage makeImage(const Device& device, const ImageShape& shape, vk::ImageUs
                              device.description.name + " can hold (" + std::to_string(limit) + " a side)",
                          "choose a smaller size");
     const bool inRows = tiling == ImageTiling::rows;
+    const vk::Extent2D inMemory = {sideInMemory(shape.width, usage, limit), sideInMemory(shape.height, usage, limit)};
     const vk::ImageCreateInfo info = {
         .flags = shape.cube ? vk::ImageCreateFlagBits::eCubeCompatible : vk::ImageCreateFlags{},
         .imageType = vk::ImageType::e2D,
         .format = shape.format,
-        .extent = {sideInMemory(shape.width, usage, limit), sideInMemory(shape.height, usage, limit), 1},
+        .extent = {inMemory.width, inMemory.height, 1},
         .mipLevels = shape.mips,
         .arrayLayers = shape.layers,
         .samples = shape.samples,
@@ -79,6 +80,7 @@ DeviceImage makeImage(const Device& device, const ImageShape& shape, vk::ImageUs
         .initialLayout = inRows ? vk::ImageLayout::ePreinitialized : vk::ImageLayout::eUndefined};
     DeviceImage image;
     image.shape = shape;
+    image.inMemory = inMemory;
     image.history.layout = info.initialLayout;
     vk::raii::Image handle(device.handle, info);
     const vk::MemoryRequirements needs = handle.getMemoryRequirements();

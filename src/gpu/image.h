@@ -32,6 +32,8 @@ struct DeviceImage
     vk::raii::ImageView view = nullptr;
     vk::raii::ImageView depthView = nullptr; // of the depth alone, where there is a stencil beside it: to be sampled
     ImageShape shape;
+    vk::Extent2D inMemory; // the sides that shaders are told, and that parts of sides are of: a texel more than the
+                           // shape's at times
     mutable AccessHistory history; // noted by Commands, also for who only reads
 
     vk::ImageAspectFlags aspect() const;

@@ -2,12 +2,12 @@
 
 #include "passes/fullscreen.h"
 #include "passes/sampler.h"
+#include "passes/surface_pass.h"
 #include "passes/targets.h"
 #include "scene/camera_view.h"
 #include "shaders/shared/bindings.h"
 
 #include <array>
-#include <bit>
 
 namespace torrance {
 namespace {
@@ -21,26 +21,6 @@ gpu::DeviceImage makeTarget(const gpu::Device& device, const ivec2& size, vk::Fo
         device,
         {.width = static_cast<std::uint32_t>(size.x), .height = static_cast<std::uint32_t>(size.y), .format = format},
         Usage::eColorAttachment | Usage::eSampled | Usage::eTransferSrc, name);
-}
-
-// Images that are drawn into and sampled are a texel larger in memory where a side is a power of two (gpu/image.cpp):
-// whoever samples by parts of the sides has to know their true length.
-int notPowerOfTwo(int side)
-{
-    return std::has_single_bit(static_cast<unsigned>(side)) ? side + 1 : side;
-}
-
-vk::PrimitiveTopology topologyOf(Topology topology)
-{
-    switch (topology) {
-    case Topology::lines:
-        return vk::PrimitiveTopology::eLineList;
-    case Topology::points:
-        return vk::PrimitiveTopology::ePointList;
-    case Topology::triangles:
-        break;
-    }
-    return vk::PrimitiveTopology::eTriangleList;
 }
 
 } // namespace
@@ -61,12 +41,12 @@ const gpu::Pipeline& OutlinePass::silhouette(Topology topology)
                                              shaders.get("passes/silhouette.frag", ""),
                                              {.name = "silhouette",
                                               .streams = {{0, vk::Format::eR32G32B32Sfloat, sizeof(vec3)}},
-                                              .topology = topologyOf(topology),
+                                              .topology = topologyOf(surfaceKindOf(topology)),
                                               .colorFormats = {kMarkFormat}}))
         .first->second;
 }
 
-OutlinePass::Line OutlinePass::draw(const DeviceScene& scene, const Camera& camera, int index, const ivec2& size)
+const gpu::DeviceImage& OutlinePass::draw(const DeviceScene& scene, const Camera& camera, int index, const ivec2& size)
 {
     const Instance& instance = scene.scene.instances[static_cast<std::size_t>(index)];
     const PrimitiveRange& range = scene.meshes->ranges[static_cast<std::size_t>(instance.primitive)];
@@ -81,17 +61,15 @@ OutlinePass::Line OutlinePass::draw(const DeviceScene& scene, const Camera& came
                                name);
     };
     const gpu::Buffer place = blockOf(block, "place"), sides = blockOf(last, "size");
-    const ivec2 target(notPowerOfTwo(size.x), notPowerOfTwo(size.y));
-    if (!*marks.handle || ivec2(marks.shape.width, marks.shape.height) != target) {
-        marks = makeTarget(device, target, kMarkFormat, "silhouette");
-        picture = makeTarget(device, target, kPictureFormat, "outline");
+    if (!*marks.handle || ivec2(marks.shape.width, marks.shape.height) != size) {
+        marks = makeTarget(device, size, kMarkFormat, "silhouette");
+        picture = makeTarget(device, size, kPictureFormat, "outline");
     }
     gpu::Commands commands(device);
     commands.use({}, {gpu::use(scene.meshes->vertices, gpu::Access::vertexRead),
                       gpu::use(scene.meshes->indices, gpu::Access::vertexRead),
                       gpu::use(place, gpu::Access::shaderRead), gpu::use(sides, gpu::Access::shaderRead)});
     beginRendering(commands, std::array{&std::as_const(marks)}, nullptr, kClearToNothing, LoadTarget::clear);
-    commands.buffer.setViewport(0, vk::Viewport{0.0f, 0.0f, float(size.x), float(size.y), 0.0f, 1.0f});
     const gpu::Pipeline& pipeline = silhouette(topology);
     gpu::Bindings bindings;
     bindings.set(shared::kBindFrame, place);
@@ -111,7 +89,7 @@ OutlinePass::Line OutlinePass::draw(const DeviceScene& scene, const Camera& came
     commands.buffer.endRendering();
     commands.use({gpu::use(picture, gpu::Access::sampled)});
     commands.submitAndWait();
-    return {&picture, vec2(size) / vec2(target)};
+    return picture;
 }
 
 } // namespace torrance

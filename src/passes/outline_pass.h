@@ -15,14 +15,9 @@ public:
     OutlinePass(const gpu::Device& device, gpu::ShaderLibrary& shaders);
 
     /// White with straight alpha: 1 beside what the instance (Scene::instances) covers, hidden or not, and 0 elsewhere.
-    /// Holes of alpha masks count as surface.
-    struct Line
-    {
-        const gpu::DeviceImage* picture = nullptr; // valid until the next call
-        vec2 part = vec2(1.0f);                    // of its sides, from the top left, that the line's picture takes
-    };
-    /// The picture of the call before must not be in use any more.
-    Line draw(const DeviceScene& scene, const Camera& camera, int instance, const ivec2& size);
+    /// Holes of alpha masks count as surface. Valid until the next call; the one of the call before must not be in use
+    /// any more.
+    const gpu::DeviceImage& draw(const DeviceScene& scene, const Camera& camera, int instance, const ivec2& size);
 
 private:
     const gpu::Pipeline& silhouette(Topology topology);

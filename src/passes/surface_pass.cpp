@@ -95,18 +95,6 @@ std::vector<InstanceStream> instanceStreamsOf(const ShaderKey& key, SurfaceOutpu
     return streams;
 }
 
-vk::PrimitiveTopology topologyOf(SurfaceKind kind)
-{
-    switch (kind) {
-    case SurfaceKind::lines:
-        return vk::PrimitiveTopology::eLineList;
-    case SurfaceKind::points:
-        return vk::PrimitiveTopology::ePointList;
-    default:
-        return vk::PrimitiveTopology::eTriangleList;
-    }
-}
-
 // What the fragment shader of an output is called, how many targets it has, and its specialization constants.
 struct OutputForm
 {
@@ -222,6 +210,18 @@ void drawSides(gpu::Commands& commands, const Batch& batch, SurfaceOutput output
 }
 
 } // namespace
+
+vk::PrimitiveTopology topologyOf(SurfaceKind kind)
+{
+    switch (kind) {
+    case SurfaceKind::lines:
+        return vk::PrimitiveTopology::eLineList;
+    case SurfaceKind::points:
+        return vk::PrimitiveTopology::ePointList;
+    default:
+        return vk::PrimitiveTopology::eTriangleList;
+    }
+}
 
 const char* flatUniformsText(const gpu::Device& device)
 {

@@ -25,6 +25,8 @@ enum class SurfaceOutput
 inline constexpr std::size_t kLayerTargets = 6;
 inline constexpr std::size_t kGBufferTargets = 4;
 
+vk::PrimitiveTopology topologyOf(SurfaceKind kind);
+
 /// Binds the textures of a set, by role.
 void bindTextures(gpu::Bindings& bindings, const TextureSet& set, const Textures& textures);
 

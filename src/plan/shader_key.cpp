@@ -40,6 +40,19 @@ const char* placeName(ScalarPlace place)
 
 } // namespace
 
+SurfaceKind surfaceKindOf(Topology topology)
+{
+    switch (topology) {
+    case Topology::points:
+        return SurfaceKind::points;
+    case Topology::lines:
+        return SurfaceKind::lines;
+    case Topology::triangles:
+        break;
+    }
+    return SurfaceKind::triangles;
+}
+
 bool ShaderKey::usesUv(int set) const
 {
     for (const TextureKey* texture : {&baseColor, &material, &normal, &occlusion, &emissive})

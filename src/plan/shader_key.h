@@ -19,6 +19,8 @@ enum class SurfaceKind
     plane,  // analytic
 };
 
+SurfaceKind surfaceKindOf(Topology topology);
+
 struct TextureKey
 {
     bool used = false;

@@ -19,19 +19,6 @@
 namespace torrance {
 namespace {
 
-SurfaceKind surfaceOf(Topology topology)
-{
-    switch (topology) {
-    case Topology::points:
-        return SurfaceKind::points;
-    case Topology::lines:
-        return SurfaceKind::lines;
-    case Topology::triangles:
-        break;
-    }
-    return SurfaceKind::triangles;
-}
-
 class Planner
 {
 public:
@@ -117,7 +104,7 @@ TextureKey Planner::textureKey(const TextureUse& use, const Primitive& primitive
 std::pair<ShaderKey, TextureSet> Planner::keyOf(const PlannedMaterial& planned, const Primitive& primitive)
 {
     const Material& m = planned.material;
-    ShaderKey key = {.surface = surfaceOf(primitive.topology),
+    ShaderKey key = {.surface = surfaceKindOf(primitive.topology),
                      .normals = !primitive.normals.empty(),
                      .colors = !primitive.colors.empty()};
     key.alphaMode = m.alphaMode;

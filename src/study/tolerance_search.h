@@ -45,8 +45,8 @@ struct ToleranceTask
     const Settings& asked;
     const MethodTable& table;
     Tolerance tolerance;
-    std::vector<brdf::Slot> fixed; // slots whose methods were asked for by name
-    CertificateRequest request;
+    std::vector<brdf::Slot> fixed = {}; // slots whose methods were asked for by name
+    CertificateRequest request = {};
     Checkpoint checkpoint = {};
 };
 

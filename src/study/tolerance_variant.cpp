@@ -19,8 +19,6 @@ PlanVariant toleranceVariant(const TrialDevice& on, const Scene& scene, const Ca
                                 .asked = asked,
                                 .table = table,
                                 .tolerance = tolerance,
-                                .fixed = {},
-                                .request = {},
                                 .checkpoint = checkpoint};
     Renderer renderer(on.device, on.shaders, on.cacheFolder);
     Image drawn;

@@ -6,6 +6,18 @@
 #include <utility>
 
 namespace torrance {
+namespace {
+
+bool readsOnly(const std::vector<Material>& materials, std::size_t textures)
+{
+    for (const Material& material : materials)
+        for (const auto& [name, role] : kTextureUses)
+            if ((material.*role).used() && static_cast<std::size_t>((material.*role).texture) >= textures)
+                return false;
+    return true;
+}
+
+} // namespace
 
 Edits editsOf(const Scene& scene, const EnvironmentChoice& environment)
 {
@@ -52,19 +64,6 @@ void EditHistory::commit(Edits edits)
     future.clear();
     present = std::move(edits);
 }
-
-namespace {
-
-bool readsOnly(const std::vector<Material>& materials, std::size_t textures)
-{
-    for (const Material& material : materials)
-        for (const auto& [name, role] : kTextureUses)
-            if ((material.*role).used() && static_cast<std::size_t>((material.*role).texture) >= textures)
-                return false;
-    return true;
-}
-
-} // namespace
 
 bool EditHistory::goOnWith(const Edits& readAgain, std::size_t textures)
 {

@@ -9,14 +9,12 @@
 #include <algorithm>
 #include <cstdlib>
 #include <functional>
-#include <optional>
 
 namespace torrance {
 namespace {
 
 constexpr const char *kRecentFile = "recent.json", *kSettingsFile = "settings.json";
 constexpr double kLeastWindow = 64.0, kMostWindow = 16384.0; // a side
-constexpr double kMostTurntableFrames = 360.0, kMostLampSpeed = 180.0;
 
 // Nothing where there is no such file; one that is damaged is warned of, and `take` may have taken a part.
 void readKept(const std::filesystem::path& file, const std::function<void(const JsonView&)>& take)
@@ -99,8 +97,9 @@ KeptSettings loadSettings(const std::filesystem::path& configFolder)
             takeNumber(json.member("width"), read.windowSize.x, kLeastWindow, kMostWindow);
             takeNumber(json.member("height"), read.windowSize.y, kLeastWindow, kMostWindow);
             read.showPanels = json.member("panels").boolean();
-            takeNumber(json.member("turntable_frames"), read.turntableFrames, 2.0, kMostTurntableFrames);
-            takeNumber(json.member("tolerance"), read.tolerance, 1e-6, 1.0);
+            takeNumber(json.member("turntable_frames"), read.turntableFrames, kLeastTurntableFrames,
+                       kMostTurntableFrames);
+            takeNumber(json.member("tolerance"), read.tolerance, kLeastTolerance, kMostTolerance);
             takeNumber(json.member("lamp_speed"), read.lampSpeed, -kMostLampSpeed, kMostLampSpeed);
             if (read.windowSize.x == 0 || read.windowSize.y == 0)
                 read.windowSize = ivec2(0);

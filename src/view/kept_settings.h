@@ -2,6 +2,7 @@
 #pragma once
 
 #include "math/vector.h"
+#include "plan/tolerance.h"
 
 #include <filesystem>
 #include <string>
@@ -27,11 +28,16 @@ struct KeptSettings
     ivec2 windowSize = ivec2(0); // in the desktop's coordinates; 0: none is kept
     bool showPanels = true;
     int turntableFrames = 36;
-    double tolerance = 0.01;
-    double lampSpeed = 30.0; // degrees a second
+    double tolerance = Tolerance().mean; // that methods are looked for with
+    double lampSpeed = 30.0;             // degrees a second
 
     bool operator==(const KeptSettings&) const = default;
 };
+
+// What the panels offer.
+inline constexpr int kLeastTurntableFrames = 2, kMostTurntableFrames = 360;
+inline constexpr double kLeastTolerance = 0.001, kMostTolerance = 0.1;
+inline constexpr double kMostLampSpeed = 180.0; // either way
 
 /// As for loadRecent: those above where there are none. A number out of its range is its default.
 KeptSettings loadSettings(const std::filesystem::path& configFolder);

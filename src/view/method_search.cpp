@@ -18,8 +18,6 @@ void MethodSearch::start(const Scene& scene, const Camera& camera, const Setting
                                     .asked = asked,
                                     .table = measured,
                                     .tolerance = tolerance,
-                                    .fixed = {},
-                                    .request = {},
                                     .checkpoint = [this] {
                                         if (stops)
                                             throw Cancelled();

@@ -79,7 +79,7 @@ void drawViewMenu(const PanelContext& context)
     look("Left", "Ctrl+3", -90.0, 90.0);
     look("Bottom", "Ctrl+7", 0.0, 180.0);
     ImGui::Separator();
-    ImGui::MenuItem("Panels", "Tab", &state.showPanels);
+    ImGui::MenuItem("Panels", "Tab", &state.kept.showPanels);
     ImGui::MenuItem("Plan", nullptr, &state.showPlan);
 }
 
@@ -157,7 +157,7 @@ float drawColumn(const PanelContext& context, float top, float bottom)
 {
     const ImVec2 size = ImGui::GetMainViewport()->Size;
     const float width = context.unit * kColumnUnits;
-    if (!context.state.showPanels || size.x < 1.5f * width || bottom - top < context.unit * 8.0f)
+    if (!context.state.kept.showPanels || size.x < 1.5f * width || bottom - top < context.unit * 8.0f)
         return 0.0f; // in a window this small the picture has all of it
     ImGui::SetNextWindowPos({size.x - width, top});
     ImGui::SetNextWindowSize({width, bottom - top});

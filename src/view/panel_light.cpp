@@ -144,7 +144,7 @@ void drawLightPanel(const PanelContext& context)
     if (ImGui::Checkbox("Turn them about the scene", &state.lampsTurn) && !state.lampsTurn)
         edit.finish(); // where they are now
     context.mark("light.turn");
-    sliderDouble("speed", state.lampSpeed, -180.0, 180.0, "%.0f degrees a second");
+    sliderDouble("speed", state.kept.lampSpeed, -kMostLampSpeed, kMostLampSpeed, "%.0f degrees a second");
 }
 
 } // namespace torrance

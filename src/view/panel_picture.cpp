@@ -1,4 +1,3 @@
-#include "view/file_browser.h"
 #include "view/panels.h"
 #include "view/widgets.h"
 
@@ -42,13 +41,7 @@ void drawComparison(const PanelContext& context)
     tipOfItem("To compare it with what follows: other methods, other materials.");
     ImGui::SameLine();
     if (ImGui::Button("Compare with a file"))
-        context.browser.ask({.title = "Compare with a picture",
-                             .endings = {".png", ".exr", ".hdr", ".jpg", ".jpeg", ".webp"},
-                             .saves = false,
-                             .name = {},
-                             .chosen = [&state](const std::filesystem::path& path) {
-                                 state.requests.push_back(OpenPicture{path.string()});
-                             }});
+        askForComparison(context);
     context.mark("picture.compare");
     if (state.compared.empty())
         return;
@@ -74,7 +67,8 @@ void drawPicturePanel(const PanelContext& context)
     ImGui::SliderInt("samples of a file", &state.fileSamples, 1, 64);
     context.mark("picture.samples");
     tipOfItem("Per pixel, of pictures that are saved; the window draws one.");
-    ImGui::SliderInt("turntable frames", &state.turntableFrames, 2, 360, "%d", ImGuiSliderFlags_AlwaysClamp);
+    ImGui::SliderInt("turntable frames", &state.kept.turntableFrames, kLeastTurntableFrames, kMostTurntableFrames, "%d",
+                     ImGuiSliderFlags_AlwaysClamp);
     context.mark("picture.frames");
     if (ImGui::Button("Save a turntable"))
         askForTurntable(context);

@@ -42,6 +42,7 @@ void drawDialogs(const PanelContext& context);
 /// Open the file browser with their question.
 void askForScene(const PanelContext& context);
 void askForEnvironment(const PanelContext& context);
+void askForComparison(const PanelContext& context);
 void askForPicture(const PanelContext& context);
 void askForSave(const PanelContext& context);
 void askForTurntable(const PanelContext& context);
@@ -49,7 +50,9 @@ void askForTurntable(const PanelContext& context);
 void drawScenePanel(const PanelContext& context);
 void drawMaterialPanel(const PanelContext& context);
 void drawLightPanel(const PanelContext& context);
-void drawMethodPanel(const PanelContext& context);
+void drawMethodPanel(const PanelContext& context); // with the two that follow
+void drawTolerancePanel(const PanelContext& context);
+void drawErrorPanel(const PanelContext& context);
 void drawPicturePanel(const PanelContext& context);
 
 } // namespace torrance

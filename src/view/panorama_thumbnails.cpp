@@ -5,6 +5,7 @@
 #include "image/quantize.h"
 #include "image/srgb.h"
 #include "view/panel_renderer.h"
+#include "view/pixels_under.h"
 
 #include <algorithm>
 
@@ -14,15 +15,16 @@ namespace {
 constexpr int kWidth = 128;          // pixels
 constexpr double kMiddleGrey = 0.18; // of the median
 
-dvec3 meanUnder(const Image& radiance, int left, int right, int top, int bottom)
+dvec3 meanOver(const Image& radiance, const PixelBox& box)
 {
     dvec3 sum(0.0);
-    for (int y = top; y < bottom; ++y)
-        for (int x = left; x < right; ++x) {
+    for (int y = box.first.y; y < box.beyond.y; ++y)
+        for (int x = box.first.x; x < box.beyond.x; ++x) {
             const float* texel = radiance.at(x, y);
             sum += dvec3(texel[0], texel[1], texel[2]);
         }
-    return sum / double((right - left) * (bottom - top));
+    const ivec2 sides = box.beyond - box.first;
+    return sum / (double(sides.x) * sides.y);
 }
 
 } // namespace
@@ -34,9 +36,7 @@ std::vector<std::uint8_t> panoramaCodes(const Image& radiance, int width)
     std::vector<double> brightness;
     for (int y = 0; y < height; ++y)
         for (int x = 0; x < width; ++x) {
-            const int left = x * radiance.width / width, top = y * radiance.height / height;
-            colors.push_back(meanUnder(radiance, left, std::max((x + 1) * radiance.width / width, left + 1), top,
-                                       std::max((y + 1) * radiance.height / height, top + 1)));
+            colors.push_back(meanOver(radiance, pixelsUnder(x, y, {width, height}, {radiance.width, radiance.height})));
             brightness.push_back((colors.back().x + colors.back().y + colors.back().z) / 3.0);
         }
     const auto middle = brightness.begin() + std::ptrdiff_t(brightness.size() / 2);

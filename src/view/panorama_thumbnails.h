@@ -34,7 +34,6 @@ public:
 
     /// Takes what has been made, and begins with what was asked for next. Once for each picture of the window.
     void step();
-    bool isRunning() const { return task.isRunning(); }
 
 private:
     const gpu::Device& device;

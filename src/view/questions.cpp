@@ -14,17 +14,17 @@ std::string stemOf(const ViewerState& state)
 
 const std::vector<std::string> kPictures = {".png", ".exr", ".jpg", ".webp", ".hdr"};
 
-// Asks for a file, and then for what Save does with it.
-template <typename Save>
-void askWhere(const PanelContext& context, const char* title, std::vector<std::string> endings, std::string name)
+// Asks for a file to read, or where a name is offered, to write, and then for what Asked does with it.
+template <typename Asked>
+void ask(const PanelContext& context, const char* title, std::vector<std::string> endings, std::string name = {})
 {
     ViewerState& state = context.state;
     context.browser.ask(
         {.title = title,
          .endings = std::move(endings),
-         .saves = true,
+         .saves = !name.empty(),
          .name = std::move(name),
-         .chosen = [&state](const std::filesystem::path& path) { state.requests.push_back(Save{path.string()}); }});
+         .chosen = [&state](const std::filesystem::path& path) { state.requests.push_back(Asked{path.string()}); }});
 }
 
 } // namespace
@@ -42,30 +42,28 @@ void askForScene(const PanelContext& context)
 
 void askForEnvironment(const PanelContext& context)
 {
-    ViewerState& state = context.state;
-    context.browser.ask({.title = "Open a panorama",
-                         .endings = {".hdr", ".exr"},
-                         .saves = false,
-                         .name = {},
-                         .chosen = [&state](const std::filesystem::path& path) {
-                             state.requests.push_back(OpenEnvironment{path.string()});
-                         }});
+    ask<OpenEnvironment>(context, "Open a panorama", {".hdr", ".exr"});
+}
+
+void askForComparison(const PanelContext& context)
+{
+    ask<OpenPicture>(context, "Compare with a picture", {".png", ".exr", ".hdr", ".jpg", ".jpeg", ".webp"});
 }
 
 void askForPicture(const PanelContext& context)
 {
-    askWhere<SavePicture>(context, "Save the picture", kPictures, stemOf(context.state) + ".png");
+    ask<SavePicture>(context, "Save the picture", kPictures, stemOf(context.state) + ".png");
 }
 
 void askForTurntable(const PanelContext& context)
 {
-    askWhere<SaveTurntable>(context, "Save pictures from all around", kPictures, stemOf(context.state) + "-turn.png");
+    ask<SaveTurntable>(context, "Save pictures from all around", kPictures, stemOf(context.state) + "-turn.png");
 }
 
 void askForSave(const PanelContext& context)
 {
-    askWhere<SaveScene>(context, "Save the scene", {".gltf", ".glb"},
-                        std::filesystem::path(context.state.scene->input).filename().string());
+    ask<SaveScene>(context, "Save the scene", {".gltf", ".glb"},
+                   std::filesystem::path(context.state.scene->input).filename().string());
 }
 
 } // namespace torrance

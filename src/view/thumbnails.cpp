@@ -1,6 +1,7 @@
 #include "view/thumbnails.h"
 
 #include "view/panel_renderer.h"
+#include "view/pixels_under.h"
 
 #include <algorithm>
 #include <cstdint>
@@ -26,14 +27,14 @@ std::vector<std::uint8_t> shrunk(const TextureImage& image, int width, int heigh
     };
     for (int y = 0; y < height; ++y)
         for (int x = 0; x < width; ++x) {
-            const int left = x * image.width / width, right = std::max((x + 1) * image.width / width, left + 1);
-            const int top = y * image.height / height, bottom = std::max((y + 1) * image.height / height, top + 1);
+            const PixelBox under = pixelsUnder(x, y, {width, height}, {image.width, image.height});
             unsigned long sums[4] = {};
-            for (int v = top; v < bottom; ++v)
-                for (int u = left; u < right; ++u)
+            for (int v = under.first.y; v < under.beyond.y; ++v)
+                for (int u = under.first.x; u < under.beyond.x; ++u)
                     for (std::size_t c = 0; c < 4; ++c)
                         sums[c] += codeAt((std::size_t(v) * std::size_t(image.width) + std::size_t(u)) * 4 + c);
-            const auto count = static_cast<unsigned long>(right - left) * static_cast<unsigned long>(bottom - top);
+            const ivec2 sides = under.beyond - under.first;
+            const auto count = static_cast<unsigned long>(sides.x) * static_cast<unsigned long>(sides.y);
             std::uint8_t* texel = codes.data() + (std::size_t(y) * std::size_t(width) + std::size_t(x)) * 4;
             for (std::size_t c = 0; c < 3; ++c)
                 texel[c] = static_cast<std::uint8_t>(sums[c] / count);

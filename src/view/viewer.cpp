@@ -66,10 +66,7 @@ Viewer::Viewer(ViewerHost h)
     state.write = host.write;
     state.deviceName = device.description.name;
     state.recent = loadRecent(host.configFolder);
-    state.showPanels = kept.showPanels;
-    state.turntableFrames = kept.turntableFrames;
-    state.tolerance = kept.tolerance;
-    state.lampSpeed = kept.lampSpeed;
+    state.kept = kept;
     state.environments = host.environments;
     if (host.watch)
         watchedShaders.emplace(host.shaderFolder);
@@ -118,17 +115,9 @@ void Viewer::run()
         showPicture();
         report();
     }
-    if (const KeptSettings now = settingsToKeep(); now != kept)
-        keepSettings(host.configFolder, now);
-}
-
-KeptSettings Viewer::settingsToKeep() const
-{
-    return {.windowSize = window.size(),
-            .showPanels = state.showPanels,
-            .turntableFrames = state.turntableFrames,
-            .tolerance = state.tolerance,
-            .lampSpeed = state.lampSpeed};
+    state.kept.windowSize = window.size();
+    if (state.kept != kept)
+        keepSettings(host.configFolder, state.kept);
 }
 
 void Viewer::waitForEvents()

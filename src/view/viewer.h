@@ -114,6 +114,8 @@ private:
     void turnLamps();
 
     void drawScene();
+    void takeEdits();
+    void drawFrame();
     Picture renderForFile(const Camera& camera);
     void stepTurntable();
     void replanOrGoBack();
@@ -129,7 +131,6 @@ private:
     void drawMarks();
     void probeAt(const vec2& place);
     void showPicture();
-    KeptSettings settingsToKeep() const;
     void report();
 
     void attempt(const std::function<void()>& work); // an Error becomes state.error
@@ -180,7 +181,7 @@ private:
     {
         int instance = -1;
         std::size_t picture = 0; // number of the scene's picture
-        OutlinePass::Line line;
+        const gpu::DeviceImage* line = nullptr;
     };
     Outlined outlined;
     DisplayPlace shownTerm;                // how the numbers of a term are shown

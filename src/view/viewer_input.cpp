@@ -16,7 +16,7 @@ namespace {
 constexpr double kDegreesAcross = 180.0; // that a drag over the whole height turns by
 constexpr double kKeyDegrees = 5.0, kKeyStep = 0.05, kWheelStep = 1.1;
 constexpr double kLongestTurn =
-    0.25; // seconds of a lamp's way in one picture: after a pause it goes on from where it was
+    0.25; // seconds of a lamp's way in one picture: after a pause it goes on, and does not jump
 constexpr float kClickPixels = 4.0f; // a mouse that moved less has not been dragged
 
 double diagonalOf(const Bounds& bounds)
@@ -84,7 +84,7 @@ void Viewer::turnLamps()
     const Bounds& bounds = state.scene->bounds;
     Edits edits = state.edits();
     turnLights(edits.lights, bounds.empty ? dvec3(0.0) : 0.5 * (bounds.min + bounds.max),
-               state.lampSpeed * std::min(seconds, kLongestTurn));
+               state.kept.lampSpeed * std::min(seconds, kLongestTurn));
     state.history->preview(std::move(edits));
     state.changed = true;
 }
@@ -245,7 +245,7 @@ void Viewer::handleKeys(const std::vector<KeyPress>& presses)
         if (press.control)
             handleControlKey(press);
         else if (press.key == GLFW_KEY_TAB)
-            state.showPanels = !state.showPanels;
+            state.kept.showPanels = !state.kept.showPanels;
         else if (press.key == GLFW_KEY_ESCAPE && state.error.empty())
             state.selectedInstance = -1;
         else if (press.key == GLFW_KEY_ESCAPE)

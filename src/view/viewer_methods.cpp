@@ -10,11 +10,7 @@ void Viewer::handle(const FindMethods& request)
     if (!state.scene)
         return;
     stopReading();
-    if (state.changed) { // the scene as the panels have it is what the search reads
-        applyEdits(state.edits(), state.scene->scene());
-        state.changed = false;
-        replanOrGoBack();
-    }
+    takeEdits(); // they are what the search reads
     shownCamera = camera();
     Settings asked = state.scene->plan.settings;
     asked.backgroundBlur = 0.0; // what is seen through blended surfaces has no exact value with it
@@ -55,11 +51,8 @@ void Viewer::stepMethodSearch()
     }
     try {
         if (const std::optional<Settings> wanted = search.wanted()) {
-            swapchain.waitUntilIdle(); // the picture that is drawn into may still be shown
             replan(renderer, *state.scene, *wanted);
-            renderer.drawFrame(*state.scene->device, shownCamera);
-            hasFrame = true;
-            ++state.scenesDrawn;
+            drawFrame();
             ++state.pictureTried;
             settling = kSettlingPictures;
             search.give(readBack(device, renderer.frame(state.scene->plan)));

@@ -37,7 +37,7 @@ void Viewer::handle(const SaveTurntable& request)
     if (!state.scene)
         return;
     imageFormatOf(request.file);
-    turntable = Turntable{.file = request.file, .pose = freeCamera(), .frames = state.turntableFrames};
+    turntable = Turntable{.file = request.file, .pose = freeCamera(), .frames = state.kept.turntableFrames};
 }
 
 void Viewer::stepTurntable()

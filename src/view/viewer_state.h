@@ -4,6 +4,7 @@
 #include "study/tolerance_search.h"
 #include "view/edits.h"
 #include "view/error_survey.h"
+#include "view/kept_settings.h"
 #include "view/pixel_probe.h"
 #include "view/scene_on_device.h"
 #include "view/view_point.h"
@@ -121,18 +122,16 @@ struct ViewerState
     std::vector<std::string> environments; // names and files that can be chosen
     std::vector<std::string> recent;       // files, newest first
     bool lampsTurn = false;
-    double lampSpeed = 30.0; // degrees a second
     std::string deviceName;
     double frameMs = 0.0;        // of the last picture of the scene that was drawn
     std::size_t scenesDrawn = 0; // such pictures
-    bool showPanels = true, showHelp = false, showPlan = false;
-    std::string compared; // what the picture is compared with; empty: nothing
-    float split = 0.5f;   // part of the picture that the other one has, from the left
-    int turntableFrames = 36;
+    bool showHelp = false, showPlan = false;
+    KeptSettings kept;                           // from one time to the next
+    std::string compared;                        // what the picture is compared with; empty: nothing
+    float split = 0.5f;                          // part of the picture that the other one has, from the left
     std::vector<std::filesystem::path> pictures; // files of the images that were added to the scene
     bool showsErrors = false;                    // in place of the picture
     ErrorSurvey::State errors;                   // where they are shown
-    double tolerance = Tolerance().mean;         // that methods are looked for with
     bool findsMethods = false;
     int pictureTried = 0;                 // of this search
     std::optional<ToleranceResult> found; // by the last search

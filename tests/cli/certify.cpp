@@ -161,6 +161,12 @@ TEST_F(Certify, RefusesWhatCannotBeCertified)
     refused({"-o", "-", "--certify"}, 2, "standard output");
     refused({"-o", out, "--view", "F", "--certify"}, 2, "--view");
     refused({"-o", out, "--camera-position", "0,0,5", "--target", "0,0,9", "--certify"}, 2, "no surface is seen");
+    // A blurred background has no exact value where it is part of a pixel that is compared: of several samples, behind
+    // the demo's glass, in the other parts.
+    refused({"-o", out, "--background-blur", "0.5", "--samples", "4", "--certify"}, 2, "--background-blur");
+    refused({"-o", out, "--background-blur", "0.5", "--certify=sampling"}, 2, "--background-blur");
+    expectRefused({"render", "demo", "-r", "16x16", "-o", out, "--background-blur", "0.5", "--certify"}, 2,
+                  "--background-blur");
     expectRefused({"render", "demo", "-r", "16x16", "-o", out, "--samples", "4", "--pixel-sampling", "reconstructed",
                    "--certify"},
                   2, "--samples 1");

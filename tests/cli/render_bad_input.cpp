@@ -237,6 +237,9 @@ TEST_F(RenderBadInput, OptionsThatWouldBeIgnored)
     refused("out.exr", {"--exposure", "1"});
     refused("out.hdr", {"--tone", "agx"});
     refused("out.exr", {"--transfer", "linear"});
+    refused("out.png", {"--background-blur", "0.5", "--background", "#102030"});
+    refused("out.png", {"--background-blur", "0.5", "--no-background"});
+    refused("out.png", {"--background-blur", "1.5"});
     refused("out.png", {"--environment-samples", "16"});
     refused("out.png", {"--light-samples", "16"});
     refused("out.png", {"--environment-samples", "16", "--environment-specular", "split_sum_dominant"});

@@ -4,6 +4,7 @@
 #include "prepare/environment_maps.h"
 #include "scene/camera_view.h"
 #include "scenes.h"
+#include "tests/panorama_of.h"
 
 #include <cmath>
 #include <gtest/gtest.h>
@@ -11,13 +12,14 @@
 namespace torrance::test {
 namespace {
 
-constexpr int kLevels = 4; // of the chain that environmentOf's width gives
+constexpr int kPanoramaWidth = 256;
+constexpr int kLevels = 4; // of the chain that it gives
 constexpr int kSize = 12;
 
 Scene glowing()
 {
     Scene scene;
-    scene.environment = environmentOf(glow);
+    scene.environment = panoramaOf(glow, kPanoramaWidth);
     scene.environment->rotation = 0.7;
     scene.materials.push_back(plainMaterial(dvec3(1.0), 0.0, 0.5));
     scene.shapes.push_back(

@@ -1,10 +1,10 @@
 #include "certified_scenes.h"
 
-#include "math/latlong.h"
 #include "math/scrambled_sequence.h"
 #include "scene/camera_fit.h"
 #include "scenes.h"
 #include "study/picture_case.h"
+#include "tests/panorama_of.h"
 
 #include <algorithm>
 #include <cmath>
@@ -45,19 +45,6 @@ dvec3 radianceOf(Sky sky, const dvec3& direction, int index)
         break;
     }
     return dvec3(0.4);
-}
-
-Environment environmentOf(Sky sky, int index)
-{
-    Environment environment;
-    environment.radiance = Image(64, 32, 3);
-    for (int y = 0; y < 32; ++y)
-        for (int x = 0; x < 64; ++x) {
-            const dvec3 light = radianceOf(sky, directionFromLatLong({(x + 0.5) / 64.0, (y + 0.5) / 32.0}), index);
-            for (int c = 0; c < 3; ++c)
-                environment.radiance.at(x, y)[c] = static_cast<float>(light[c]);
-        }
-    return environment;
 }
 
 Material materialOf(int index, std::uint64_t number, double metallic)
@@ -104,7 +91,7 @@ CertifiedScene certifiedScene(int index)
     constexpr const char* kSkies[] = {"smooth sky", "sky with a sun", "windows", "even sky and a lamp"};
     const int sky = index % 4;
     auto [scene, surfaces] = surfacesOf(index);
-    scene.environment = environmentOf(static_cast<Sky>(sky), index);
+    scene.environment = panoramaOf([&](const dvec3& d) { return radianceOf(static_cast<Sky>(sky), d, index); }, 64);
     if (static_cast<Sky>(sky) == Sky::even)
         scene.lights.push_back(testLight(Light::Kind::point));
     const Camera camera = fitCamera(scene, {0.7 * random(index, 3), 1.1 + 0.3 * random(index, 4)}, 1.0, 0.7, 0.05);

@@ -1,25 +1,14 @@
 // Light from environments that are not uniform.
 #include "drawing.h"
-#include "math/latlong.h"
 #include "scene/camera_fit.h"
 #include "scenes.h"
+#include "tests/panorama_of.h"
 
 #include <algorithm>
 #include <gtest/gtest.h>
 
 namespace torrance::test {
 namespace {
-
-Environment environmentOf(int width, double (*radiance)(const dvec3&))
-{
-    Environment environment = {.name = "test", .radiance = Image(width, width / 2, 3)};
-    for (int y = 0; y < width / 2; ++y)
-        for (int x = 0; x < width; ++x) {
-            const dvec3 direction = directionFromLatLong({(x + 0.5) / width, (y + 0.5) / (width / 2)});
-            std::fill_n(environment.radiance.at(x, y), 3, static_cast<float>(radiance(direction)));
-        }
-    return environment;
-}
 
 Scene ball(const Material& material, Environment environment)
 {
@@ -65,8 +54,8 @@ double greatestDifference(const Image& a, const Image& b)
 TEST(EnvironmentLight, NineHarmonicsAreExactForALinearEnvironment)
 {
     // Radiance 1 + 0.8 y lies in bands 0 and 1: harmonics and cube both give 1 + (2/3) 0.8 n.y (clampedCosineBand).
-    const Scene scene =
-        ball(plainMaterial(dvec3(1.0), 0.0, 1.0), environmentOf(512, [](const dvec3& d) { return 1.0 + 0.8 * d.y; }));
+    const Scene scene = ball(plainMaterial(dvec3(1.0), 0.0, 1.0),
+                             panoramaOf([](const dvec3& d) { return dvec3(1.0 + 0.8 * d.y); }, 512));
     const Picture cube = drawBall(scene), harmonics = drawBall(scene, "sh9");
     // The cube's texels are within 1e-3 of values up to 1.53; between them, 1/16 apart, a bilinear mean is off by at
     // most (1/16)^2 / 8 of the second derivative, 0.53 here.
@@ -79,7 +68,7 @@ TEST(EnvironmentLight, NineHarmonicsBlurTheEdgeOfASky)
     // Half a sky: the clamped cosine's bands 4 and up are missing, some per cent of the light (Ramamoorthi & Hanrahan
     // 2001).
     const Scene scene = ball(plainMaterial(dvec3(1.0), 0.0, 1.0),
-                             environmentOf(256, [](const dvec3& d) { return d.x > 0.9 ? 10.0 : 0.0; }));
+                             panoramaOf([](const dvec3& d) { return dvec3(d.x > 0.9 ? 10.0 : 0.0); }, 256));
     EXPECT_GT(greatestDifference(drawBall(scene).color, drawBall(scene, "sh9").color), 0.01);
 }
 
@@ -88,7 +77,7 @@ TEST(EnvironmentLight, ASunKeepsItsEnergyWhereverItsTexelLies)
     // One texel of 1e6 in front of the ball, a little above. Turned by parts of a texel (0.7 degrees), neither the
     // light that the ball returns nor its highlight may change by more than the turn itself accounts for: below 1 % a
     // degree and 3 %.
-    Environment sun = environmentOf(512, [](const dvec3&) { return 0.0; });
+    Environment sun = panoramaOf([](const dvec3&) { return dvec3(0.0); }, 512);
     std::fill_n(sun.radiance.at(384, 108), 3, 1e6f);
     Scene scene = ball(plainMaterial(dvec3(1.0), 1.0, 0.4), std::move(sun));
     const Sums still = sumsOf(drawBall(scene).color);
@@ -105,7 +94,7 @@ TEST(EnvironmentLight, TheRoughnessSpreadsASunWithoutLosingIt)
 {
     // White metal under one sun: what the lobe spreads from a smooth to a rough ball changes its picture's sum by its
     // albedo and by what leaves for other directions, never by orders of magnitude; its peak falls as the lobe widens.
-    Environment sun = environmentOf(512, [](const dvec3&) { return 0.0; });
+    Environment sun = panoramaOf([](const dvec3&) { return dvec3(0.0); }, 512);
     std::fill_n(sun.radiance.at(384, 108), 3, 1e6f);
     Scene scene = ball(plainMaterial(dvec3(1.0), 1.0, 0.3), std::move(sun));
     Sums before = sumsOf(drawBall(scene).color);

@@ -15,6 +15,7 @@
 #include "scene/camera_fit.h"
 #include "scenes.h"
 #include "study/worst_pixel.h"
+#include "tests/panorama_of.h"
 
 #include <gtest/gtest.h>
 
@@ -25,6 +26,7 @@ using brdf::Method;
 using brdf::Slot;
 
 constexpr int kSize = 16;
+constexpr int kPanoramaWidth = 256;
 constexpr double kLeastNoV = 0.1;
 
 std::vector<const Method*> rowsOf(Slot slot)
@@ -91,8 +93,8 @@ void expectAllowed(const WorstExcess& worst, const std::string& what)
 // What white adds to black is the diffuse light: irradiance / pi times (1 - F0)(1 - w).
 TEST(EnvironmentDiffuse, EveryMethodIsItsFormula)
 {
-    const Scene white = ball(plainMaterial(dvec3(1.0), 0.0, 0.5), environmentOf(glow));
-    const Scene black = ball(plainMaterial(dvec3(0.0), 0.0, 0.5), environmentOf(glow));
+    const Scene white = ball(plainMaterial(dvec3(1.0), 0.0, 0.5), panoramaOf(glow, kPanoramaWidth));
+    const Scene black = ball(plainMaterial(dvec3(0.0), 0.0, 0.5), panoramaOf(glow, kPanoramaWidth));
     for (const Method* method : rowsOf(Slot::environmentDiffuse)) {
         const Picture lit = drawWith(white, Slot::environmentDiffuse, *method);
         const Picture unlit = drawWith(black, Slot::environmentDiffuse, *method);
@@ -133,8 +135,8 @@ TEST(EnvironmentDiffuse, TheWindowCutsNothingOff)
     const auto sun = [](const dvec3& d) {
         return dvec3(100.0 * std::exp(30.0 * (glm::dot(d, glm::normalize(dvec3(-0.9, 0.3, -0.4))) - 1.0)));
     };
-    const Scene white = ball(plainMaterial(dvec3(1.0), 0.0, 1.0), environmentOf(sun));
-    const Scene black = ball(plainMaterial(dvec3(0.0), 0.0, 1.0), environmentOf(sun));
+    const Scene white = ball(plainMaterial(dvec3(1.0), 0.0, 1.0), panoramaOf(sun, kPanoramaWidth));
+    const Scene black = ball(plainMaterial(dvec3(0.0), 0.0, 1.0), panoramaOf(sun, kPanoramaWidth));
     const auto cutOff = [&](const char* id) {
         const Method& method = *brdf::findMethod(Slot::environmentDiffuse, id);
         const Picture lit = drawWith(white, Slot::environmentDiffuse, method);
@@ -178,10 +180,10 @@ TEST(EnvironmentSpecular, SamplersAreTheirFormulasPointByPoint)
 // alone meet lower densities with larger weights: that blur is the method's own, and it is judged where n.v > 1/2.
 TEST(EnvironmentSpecular, EveryMethodIsItsFormulaUnderARealEnvironment)
 {
-    constexpr int kLevels = 4; // of the chain that environmentOf's width gives
+    constexpr int kLevels = 4; // of the chain that kPanoramaWidth gives
     for (const int level : {1, 2, 3}) {
-        const Scene scene =
-            ball(plainMaterial(dvec3(1.0), 1.0, std::sqrt(levelAlpha(level, kLevels))), environmentOf(glow));
+        const Scene scene = ball(plainMaterial(dvec3(1.0), 1.0, std::sqrt(levelAlpha(level, kLevels))),
+                                 panoramaOf(glow, kPanoramaWidth));
         for (const Method* method : rowsOf(Slot::environmentSpecular)) {
             constexpr int kSamples = 1024;
             const Picture picture = drawWith(scene, Slot::environmentSpecular, *method, kSamples);
@@ -220,7 +222,7 @@ double relativeError(const Picture& picture, const Scene& scene, const brdf::Env
 // one by fewer, and samples converge to the integral.
 TEST(EnvironmentSpecular, TheDominantDirectionIsNearerAndSamplesConverge)
 {
-    const Scene scene = ball(plainMaterial(dvec3(1.0), 1.0, 0.7), environmentOf(glow));
+    const Scene scene = ball(plainMaterial(dvec3(1.0), 1.0, 0.7), panoramaOf(glow, kPanoramaWidth));
     const auto errorOf = [&](const char* id, int samples) {
         return relativeError(
             drawWith(scene, Slot::environmentSpecular, *brdf::findMethod(Slot::environmentSpecular, id), samples),
@@ -265,7 +267,7 @@ TEST(EnvironmentSpecular, PointsFindTheLampsThatDirectionsMiss)
         return brdf::Es_vndf_lamps(query);
     };
     for (const double roughness : {0.3, 0.5, 0.8}) {
-        const Scene scene = ball(plainMaterial(dvec3(1.0), 1.0, roughness), environmentOf(sunny));
+        const Scene scene = ball(plainMaterial(dvec3(1.0), 1.0, roughness), panoramaOf(sunny, kPanoramaWidth));
         const auto errorOf = [&](const char* id, int samples) {
             const Picture picture =
                 drawWith(scene, Slot::environmentSpecular, *brdf::findMethod(Slot::environmentSpecular, id), samples);
@@ -287,7 +289,7 @@ TEST(EnvironmentSpecular, PointsFindTheLampsThatDirectionsMiss)
 
 TEST(EnvironmentSpecular, LampsNeedTheirPlaceBehindTheLights)
 {
-    Scene scene = ball(plainMaterial(dvec3(1.0), 1.0, 0.5), environmentOf(sunny));
+    Scene scene = ball(plainMaterial(dvec3(1.0), 1.0, 0.5), panoramaOf(sunny, kPanoramaWidth));
     Settings settings = settingsOf("gltf", kSize);
     settings.methods[Slot::environmentSpecular] = brdf::findMethod(Slot::environmentSpecular, "vndf_lamps");
     settings.environmentSamples = 16;

@@ -38,7 +38,7 @@ public:
 
     CodeImage instance(int index)
     {
-        return readCodes(device(), *pass.draw(uploaded, frontCamera(), index, ivec2(kSize)).picture);
+        return readCodes(device(), pass.draw(uploaded, frontCamera(), index, ivec2(kSize)));
     }
 
 private:
@@ -93,7 +93,7 @@ TEST(Outline, HoldsFarFromTheOrigin)
     OutlinePass pass(device(), shaders());
     Camera camera = frontCamera();
     camera.worldFromCamera[3].x += 1e7;
-    expectLineAround(readCodes(device(), *pass.draw(uploaded, camera, index, ivec2(kSize)).picture), {32, 32}, 16);
+    expectLineAround(readCodes(device(), pass.draw(uploaded, camera, index, ivec2(kSize))), {32, 32}, 16);
 }
 
 } // namespace

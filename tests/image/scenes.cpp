@@ -3,7 +3,6 @@
 #include "core/data_folder.h"
 #include "files/environment_file.h"
 #include "files/scene_file.h"
-#include "math/latlong.h"
 #include "scene/camera_fit.h"
 
 #include <algorithm>
@@ -107,19 +106,6 @@ dvec3 glow(const dvec3& d)
 {
     const double lamp = std::exp(4.0 * (glm::dot(d, glm::normalize(dvec3(0.5, 0.7, 0.4))) - 1.0));
     return dvec3(0.3 + 3.0 * lamp, 0.5 + 2.0 * lamp + 0.2 * d.x, 0.8 + 0.3 * d.y * d.z);
-}
-
-Environment environmentOf(dvec3 (*radiance)(const dvec3&))
-{
-    constexpr int kWidth = 256;
-    Environment environment = {.name = "test", .radiance = Image(kWidth, kWidth / 2, 3)};
-    for (int y = 0; y < kWidth / 2; ++y)
-        for (int x = 0; x < kWidth; ++x) {
-            const dvec3 value = radiance(directionFromLatLong({(x + 0.5) / kWidth, (y + 0.5) / (kWidth / 2)}));
-            for (int c = 0; c < 3; ++c)
-                environment.radiance.at(x, y)[c] = static_cast<float>(value[c]);
-        }
-    return environment;
 }
 
 dmat4 translation(const dvec3& offset)

@@ -38,8 +38,6 @@ Camera maskedHalfCamera();
 
 /// Radiance that is bright on one side, of all bands, without an edge.
 dvec3 glow(const dvec3& direction);
-/// A panorama of 256 x 128 texels.
-Environment environmentOf(dvec3 (*radiance)(const dvec3&));
 
 dmat4 translation(const dvec3& offset);
 

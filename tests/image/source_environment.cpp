@@ -3,13 +3,13 @@
 #include "brdf/ggx_levels.h"
 #include "brdf/model_environment.h"
 #include "drawing.h"
-#include "math/latlong.h"
 #include "reference/analytic_shape.h"
 #include "reference/environment_sampler.h"
 #include "reference/pixel_condition.h"
 #include "scene/camera_fit.h"
 #include "scenes.h"
 #include "study/worst_pixel.h"
+#include "tests/panorama_of.h"
 
 #include <gtest/gtest.h>
 
@@ -20,29 +20,10 @@ constexpr int kSize = 16;
 constexpr double kFormula = 1e-4; // what every formula is held to
 const dvec3 kColor(0.8, 0.6, 0.1);
 
-// Bright on one side, all bands, no edge; three channels of unlike slope.
-dvec3 glow(const dvec3& d)
-{
-    const double lamp = std::exp(4.0 * (glm::dot(d, glm::normalize(dvec3(0.5, 0.7, 0.4))) - 1.0));
-    return dvec3(0.3 + 3.0 * lamp, 0.5 + 2.0 * lamp + 0.2 * d.x, 0.8 + 0.3 * d.y * d.z);
-}
-
 // A small lamp, of which one level sees several times as much as the next.
 dvec3 spot(const dvec3& d)
 {
     return dvec3(0.3, 0.4, 0.5) + 3.0 * std::exp(30.0 * (glm::dot(d, glm::normalize(dvec3(0.3, 0.4, 0.9))) - 1.0));
-}
-
-Environment panoramaOf(dvec3 (*radiance)(const dvec3&), int width)
-{
-    Environment environment = {.name = "test", .radiance = Image(width, width / 2, 3)};
-    for (int y = 0; y < width / 2; ++y)
-        for (int x = 0; x < width; ++x) {
-            const dvec3 value = radiance(directionFromLatLong({(x + 0.5) / width, (y + 0.5) / (width / 2)}));
-            for (int c = 0; c < 3; ++c)
-                environment.radiance.at(x, y)[c] = static_cast<float>(value[c]);
-        }
-    return environment;
 }
 
 Scene ball(const Material& material, const Environment& environment)
@@ -154,7 +135,7 @@ TEST(SourceEnvironment, EveryPixelIsTheFormulaUnderEvenLight)
 // half. Levels 6 and 7 are coarser than this picture can judge; tests/unit/prepare holds their texels.
 TEST(SourceEnvironment, EveryPixelIsTheFormulaUnderARealEnvironment)
 {
-    const Environment environment = panoramaOf(&glow, 256);
+    const Environment environment = panoramaOf(glow, 256);
     const Settings settings = settingsOf("torrance-sparrow-blinn", kSize);
     for (const double level : {1.0, 2.0, 2.6, 4.0, 5.0}) {
         const Scene scene = ball(plainMaterial(kColor, 0.5, level / 7.0), environment);
@@ -182,7 +163,7 @@ TEST(SourceEnvironment, GgxBurleyIsItsFormulaUnderEvenLight)
 // of it is 0.4 %; of level 4, 32 texels a side, no more than all of it, 0.4 % too. A quirk ends at level 4.
 TEST(SourceEnvironment, GgxBurleyIsItsFormulaUnderARealEnvironment)
 {
-    const Environment environment = panoramaOf(&glow, 256);
+    const Environment environment = panoramaOf(glow, 256);
     Settings settings = settingsOf("ggx-burley", kSize);
     for (const double level : {0.0, 1.0, 2.0, 2.6, 4.0, 5.0}) {
         const Scene scene = ball(plainMaterial(kColor, 0.5, level / 5.0), environment);
@@ -199,7 +180,7 @@ TEST(SourceEnvironment, GgxBurleyIsItsFormulaUnderARealEnvironment)
 // 4 times the other, is 0.6 %.
 TEST(SourceEnvironment, GgxBurleyReadsTheLevelOfItsRoughness)
 {
-    const Environment environment = panoramaOf(&spot, 512);
+    const Environment environment = panoramaOf(spot, 512);
     const Settings settings = settingsOf("ggx-burley", kSize);
     for (const double level : {0.5, 1.0, 1.6, 2.0, 2.6}) {
         const Scene scene = ball(plainMaterial(kColor, 1.0, level / 5.0), environment);
@@ -224,7 +205,7 @@ std::vector<brdf::ModelOptions> phongOptions()
 // device's filtering weights have 8 bits, half a step of which in both axes is 4e-4.
 TEST(SourceEnvironment, PhongIsItsFormulaUnderARealEnvironment)
 {
-    Environment environment = panoramaOf(&glow, 256);
+    Environment environment = panoramaOf(glow, 256);
     environment.rotation = 0.6;
     const EnvironmentSampler map(environment);
     environment.intensity = 1.7;

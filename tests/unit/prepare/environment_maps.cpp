@@ -8,6 +8,7 @@
 #include "math/spherical_harmonics.h"
 #include "prepare/ggx_prefilter.h"
 #include "prepare/irradiance.h"
+#include "tests/panorama_of.h"
 
 #include <cmath>
 #include <cstdint>
@@ -18,18 +19,6 @@
 
 namespace torrance {
 namespace {
-
-Image panorama(int width, const std::function<dvec3(const dvec3&)>& radiance)
-{
-    Image image(width, width / 2, 3);
-    for (int y = 0; y < image.height; ++y)
-        for (int x = 0; x < width; ++x) {
-            const dvec3 value = radiance(directionFromLatLong({(x + 0.5) / width, (y + 0.5) / image.height}));
-            for (int c = 0; c < 3; ++c)
-                image.at(x, y)[c] = static_cast<float>(value[c]);
-        }
-    return image;
-}
 
 /// A sky, a horizon, a ground with stripes, and soft lamps of different colours: contrast, but nothing below a few
 /// texels.
@@ -43,7 +32,7 @@ dvec3 landscape(const dvec3& d)
 
 Image landscapeWithSun(int width, float sun)
 {
-    Image image = panorama(width, landscape);
+    Image image = test::panoramaOf(landscape, width).radiance;
     for (int c = 0; c < 3; ++c)
         image.at(width / 5, width / 7)[c] = sun;
     return image;
@@ -180,7 +169,7 @@ TEST(EnvironmentMaps, KernelIntegralIsTheClosedForm)
 TEST(EnvironmentMaps, AConstantStaysConstant)
 {
     for (const double value : {1.0, 0.3, 5e4}) {
-        const Image image = panorama(128, [&](const dvec3&) { return value * dvec3(1.0, 0.5, 0.25); });
+        const Image image = test::panoramaOf([&](const dvec3&) { return value * dvec3(1.0, 0.5, 0.25); }, 128).radiance;
         const EnvironmentMaps maps = makeEnvironmentMaps(image);
         const auto expectConstant = [&](const CubeLevels& cube) {
             for (int level = 0; level < cube.levels; ++level)
@@ -306,7 +295,7 @@ TEST(EnvironmentMaps, HarmonicsAreTheIrradianceOfALowOrderSky)
 {
     // Radiance of bands 0 to 2 only: its irradiance / pi is known in closed form, band by band.
     const auto radiance = [](const dvec3& d) { return dvec3(2.0 + d.x - 0.5 * d.y + 0.25 * d.x * d.z); };
-    const Image image = panorama(256, radiance);
+    const Image image = test::panoramaOf(radiance, 256).radiance;
     const EnvironmentMaps maps = makeEnvironmentMaps(image);
     const std::array<vec3, 9> sh = irradianceHarmonics(image);
     for (const dvec3& n : {dvec3(1, 0, 0), dvec3(0, 1, 0), dvec3(0, 0, 1), glm::normalize(dvec3(-1, 2, 3))}) {
@@ -327,7 +316,7 @@ TEST(EnvironmentMaps, HarmonicsAreTheIrradianceOfALowOrderSky)
 
 TEST(EnvironmentMaps, LevelZeroLiesAsThePanoramaDoes)
 {
-    const Image image = panorama(512, landscape);
+    const Image image = test::panoramaOf(landscape, 512).radiance;
     const EnvironmentMaps maps = makeEnvironmentMaps(image);
     const int size = maps.specular.size;
     for (int face = 0; face < kCubeFaces; ++face)

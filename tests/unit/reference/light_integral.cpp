@@ -4,35 +4,25 @@
 #include "brdf/albedo.h"
 #include "math/latlong.h"
 #include "reference/shade.h"
+#include "tests/panorama_of.h"
 
-#include <functional>
 #include <string>
 
 namespace torrance {
 namespace {
 
 using test::difference;
-
-Environment environmentOf(int width, const std::function<dvec3(const dvec3&)>& radiance)
-{
-    Environment environment;
-    environment.radiance = Image(width, width / 2, 3);
-    for (int y = 0; y < width / 2; ++y)
-        for (int x = 0; x < width; ++x) {
-            const dvec3 value = radiance(directionFromLatLong({(x + 0.5) / width, (y + 0.5) / (width / 2)}));
-            for (int c = 0; c < 3; ++c)
-                environment.radiance.at(x, y)[c] = static_cast<float>(value[c]);
-        }
-    return environment;
-}
+using test::panoramaOf;
 
 /// A sky, a ground of another colour, and a lamp a hundred times as bright.
 Environment testEnvironment()
 {
-    return environmentOf(64, [](const dvec3& d) {
-        const dvec3 sky = d.y > 0.0 ? dvec3(0.4, 0.6, 1.0) : dvec3(0.3, 0.2, 0.1);
-        return glm::dot(d, glm::normalize(dvec3(1.0, 1.0, 0.5))) > 0.97 ? dvec3(60.0, 50.0, 40.0) : sky;
-    });
+    return panoramaOf(
+        [](const dvec3& d) {
+            const dvec3 sky = d.y > 0.0 ? dvec3(0.4, 0.6, 1.0) : dvec3(0.3, 0.2, 0.1);
+            return glm::dot(d, glm::normalize(dvec3(1.0, 1.0, 0.5))) > 0.97 ? dvec3(60.0, 50.0, 40.0) : sky;
+        },
+        64);
 }
 
 struct Case
@@ -81,7 +71,7 @@ std::string describe(const Case& c)
 TEST(LightIntegral, OfAUniformEnvironmentIsTheFurnace)
 {
     const dvec3 radiance(0.5, 1.0, 2.0);
-    const EnvironmentSampler environment(environmentOf(16, [&](const dvec3&) { return radiance; }));
+    const EnvironmentSampler environment(panoramaOf([&](const dvec3&) { return radiance; }, 16));
     const std::vector<Case> cases = allCases();
     for (const char* preset : {"gltf", "standard"})
         for (const Case& c : cases) {
@@ -116,7 +106,7 @@ TEST(LightIntegral, IsTheSameWhereverDirectionsAreDrawnFrom)
 
 TEST(LightIntegral, OfTheRoughestWhiteMetalHeadOnIsOneMinusLogTwo)
 {
-    const EnvironmentSampler environment(environmentOf(16, [](const dvec3&) { return dvec3(1.0); }));
+    const EnvironmentSampler environment(panoramaOf([](const dvec3&) { return dvec3(1.0); }, 16));
     Case c;
     c.material.metallic = 1.0;
     c.view = c.material.normal; // alpha = 1 and white are the defaults
@@ -129,7 +119,7 @@ TEST(LightIntegral, OfASunInOneTexelIsThatOfADirectionalLight)
     // A texel of 1e6 in a black panorama: a light of 1e6 times its solid angle. Where the BRDF is as good as constant
     // over the 0.7 degrees that bilinear interpolation spreads it to, the closed form of a directional light holds.
     constexpr int kWidth = 1024, kColumn = 300, kRow = 150;
-    Environment sun = environmentOf(kWidth, [](const dvec3&) { return dvec3(0.0); });
+    Environment sun = panoramaOf([](const dvec3&) { return dvec3(0.0); }, kWidth);
     std::fill_n(sun.radiance.at(kColumn, kRow), 3, 1e6f);
     const EnvironmentSampler environment(sun);
     const dvec3 towards = directionFromLatLong({(kColumn + 0.5) / kWidth, (kRow + 0.5) / (kWidth / 2)});

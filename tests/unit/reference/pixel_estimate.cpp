@@ -145,5 +145,36 @@ TEST(PixelEstimate, PhysicsAgreesWithTheModelWhereBothAreExact)
     EXPECT_GE(physics.color.r, model.color.r);
 }
 
+// Of the four pixels of a quad a device takes one difference along each axis, between its first three.
+TEST(PixelEstimate, PixelsOfAQuadShareTheChangeOfTextureCoordinates)
+{
+    Scene scene; // one triangle over the whole picture, tilted: what a pixel covers changes across it
+    scene.materials.emplace_back();
+    Primitive& triangle = scene.primitives.emplace_back();
+    triangle.positions = {{-9.0f, -9.0f, -6.0f}, {9.0f, -9.0f, 3.0f}, {0.0f, 12.0f, 0.0f}};
+    triangle.uvs[0] = {{0.0f, 0.0f}, {1.0f, 0.1f}, {0.3f, 1.0f}};
+    triangle.indices = {0, 1, 2};
+    triangle.material = 0;
+    scene.instances.emplace_back();
+    ReferenceSettings settings = settingsOf(8, 64);
+    settings.levelBias = 0.0;
+    const PixelEstimator estimator(scene, orbitCamera({0.0, kPi / 2}, 6.0, dvec3(0.0), 0.6), settings);
+    const auto seen = [&](int x, int y, const dvec2& place) {
+        const VisibleSurfaces surfaces = estimator.surfacesAt(dvec2(x, y) + place, {x, y});
+        EXPECT_EQ(surfaces.surfaces.size(), 1u);
+        return surfaces.surfaces.at(0).surface;
+    };
+    for (const dvec2& place : {dvec2(0.5), dvec2(0.9, -0.3)}) { // the second lies in another pixel of the quad
+        const dvec2 first = seen(2, 4, place).uvs[0];
+        const dvec2 right = seen(3, 4, place).uvs[0] - first, below = seen(2, 5, place).uvs[0] - first;
+        for (const ivec2& pixel : {ivec2(2, 4), ivec2(3, 4), ivec2(2, 5), ivec2(3, 5)}) {
+            const UvSteps steps = seen(pixel.x, pixel.y, place).footprint->uvs[0];
+            EXPECT_LT(glm::length(steps.right - right), 1e-12) << pixel.x << ", " << pixel.y;
+            EXPECT_LT(glm::length(steps.below - below), 1e-12) << pixel.x << ", " << pixel.y;
+        }
+        EXPECT_GT(glm::length(seen(4, 4, place).footprint->uvs[0].right - right), 1e-4) << "the next quad's is its own";
+    }
+}
+
 } // namespace
 } // namespace torrance
