@@ -4,6 +4,9 @@
 #include "material/normal_map.glsl"
 #include "material/surface.glsl"
 #include "material/texels.glsl"
+#ifdef EXACT_LEVEL
+#include "material/level_of_detail.glsl"
+#endif
 #ifdef AA_TOKUYOSHI
 #include "material/aa_tokuyoshi.glsl"
 #endif
@@ -48,23 +51,32 @@ layout(location = 10) INPUT vec2 inOcclusionUv;
 layout(location = 11) INPUT vec2 inEmissiveUv;
 #endif
 
+vec4 readTexture(sampler2D map, vec2 uv)
+{
+#ifdef EXACT_LEVEL
+    return textureLod(map, uv, levelOfDetail(uv, vec2(textureSize(map, 0))));
+#else
+    return texture(map, uv);
+#endif
+}
+
 Texels readTexels()
 {
     Texels t;
 #ifdef BASE_COLOR_UV
-    t.baseColor = texture(baseColorTexture, BASE_COLOR_UV);
+    t.baseColor = readTexture(baseColorTexture, BASE_COLOR_UV);
 #endif
 #ifdef MATERIAL_UV
-    t.material = texture(scalarsTexture, MATERIAL_UV);
+    t.material = readTexture(scalarsTexture, MATERIAL_UV);
 #endif
 #ifdef NORMAL_UV
-    t.normal = texture(normalTexture, NORMAL_UV);
+    t.normal = readTexture(normalTexture, NORMAL_UV);
 #endif
 #ifdef OCCLUSION_UV
-    t.occlusion = texture(occlusionTexture, OCCLUSION_UV);
+    t.occlusion = readTexture(occlusionTexture, OCCLUSION_UV);
 #endif
 #ifdef EMISSIVE_UV
-    t.emissive = texture(emissiveTexture, EMISSIVE_UV);
+    t.emissive = readTexture(emissiveTexture, EMISSIVE_UV);
 #endif
     return t;
 }

@@ -41,7 +41,11 @@ void main()
     vec2 tangent = vec2(0.0);
 #ifdef ATTRIBUTE_UV
     uv = ATTRIBUTE_UV;
+#ifdef EXACT_LEVEL
+    bits.level = levelOfDetail(uv, vec2(textureSize(levelTexture, 0)));
+#else
     bits.level = textureQueryLod(levelTexture, uv).y; // the device's own: its logarithm may be an approximate one
+#endif
 #endif
 #ifdef TANGENTS
     tangent = octahedral(inTangent.xyz);

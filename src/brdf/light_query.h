@@ -1,4 +1,4 @@
-// What the formulas of environments, of area lights and of specular antialiasing are given, in double.
+// What the formulas of environments, of area lights, of textures and of specular antialiasing are given, in double.
 #pragma once
 
 #include "brdf/shading_point.h"
@@ -50,6 +50,13 @@ struct AreaQuery
     dvec3 intensity = dvec3(1);      // candela, with the cone and the range of the light in it
     int samples = 0;                 // of the method `sampled`
     dvec2 rotation = dvec2(0.0, 0.0);
+};
+
+/// How a texture moves under a quad of pixels, in its texels: from the first pixel to that on its right, and to that
+/// below.
+struct TexelFootprint
+{
+    dvec2 right = dvec2(0), below = dvec2(0);
 };
 
 /// The normals that a pixel covers.

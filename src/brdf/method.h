@@ -31,6 +31,7 @@ enum class Slot
     dfg,                  // directional albedo terms of the specular lobe
     areaLight,            // reflected light of a sphere light
     sheen,                // lobe of fibres, 1/sr
+    textureFilter,        // what a texture shows from afar
     specularAntialiasing, // alpha of a pixel's normals
     pixelSampling,        // a pixel's mean over its samples
     tone,                 // scene-linear to display-linear
@@ -56,6 +57,8 @@ using CurveFormula = dvec3 (*)(const dvec3&);
 using EnvironmentFormula = dvec3 (*)(const EnvironmentQuery&);
 /// Radiance towards the viewer that one sphere light causes.
 using AreaFormula = dvec3 (*)(const AreaQuery&);
+/// The level of detail that a texture is read from.
+using LevelFormula = double (*)(const TexelFootprint&);
 /// alpha with the spread of the normals under a pixel in it.
 using FootprintFormula = double (*)(const NormalFootprint&);
 struct Preset;
@@ -68,7 +71,7 @@ struct NoFormula
 {
 };
 using Formula = std::variant<ScalarFormula, ColorFormula, DfgFormula, CurveFormula, EnvironmentFormula, AreaFormula,
-                             FootprintFormula, PixelFormula, ModelFormula, NoFormula>;
+                             LevelFormula, FootprintFormula, PixelFormula, ModelFormula, NoFormula>;
 
 /// Where a method may be used: inside, it is finite, not negative, and 32 bits keep it within rounding of its formula.
 /// `torrance stability` measures the same ranges; a test holds the two together.
@@ -129,6 +132,7 @@ struct Preset
     const Method* environmentSpecular;
     const Method* dfg;
     const Method* areaLight;
+    const Method* textureFilter;
     const Method* specularAntialiasing;
     const Method* pixelSampling;
     ModelOptions options = {}; // those that the model does not have are not read

@@ -13,6 +13,7 @@
 #include "brdf/phong_levels.h"
 #include "brdf/sheen.h"
 #include "brdf/specular_antialiasing.h"
+#include "brdf/texture_filter.h"
 #include "brdf/visibility.h"
 #include "image/srgb.h"
 #include "image/tone_curves.h"
@@ -619,6 +620,29 @@ constexpr Method kMethods[] = {
      .reciprocal = true,
      .gainsEnergy = true,
      .formula = ScalarFormula(&S_ashikhmin)},
+
+    {.slot = Slot::textureFilter,
+     .id = "trilinear",
+     .citation = "Williams 1983, Pyramidal Parametrics; Vulkan 1.3, 16.5.7: the level of detail as the device has it",
+     .approximates = "trilinear_exact, by the device's own logarithm",
+     .domain = {.text = "all"},
+     .reciprocal = true,
+     .formula = LevelFormula(&T_trilinear)},
+    {.slot = Slot::textureFilter,
+     .id = "trilinear_exact",
+     .citation = "Vulkan 1.3, 16.5.7: the level of detail is the logarithm of the longer step in texels",
+     .approximates = "",
+     .domain = {.text = "all"},
+     .reciprocal = true,
+     .formula = LevelFormula(&T_trilinear_exact),
+     .file = "material/level_of_detail.glsl"},
+    {.slot = Slot::textureFilter,
+     .id = "nearest_level",
+     .citation = "Williams 1983, Pyramidal Parametrics, without the mean of two levels",
+     .approximates = "trilinear_exact, by the nearer of two levels",
+     .domain = {.text = "all; levels meet in visible steps"},
+     .reciprocal = true,
+     .formula = LevelFormula(&T_nearest_level)},
 
     {.slot = Slot::specularAntialiasing,
      .id = "none",

@@ -30,6 +30,7 @@ Preset gltf()
             .environmentSpecular = known(Slot::environmentSpecular, "split_sum"),
             .dfg = known(Slot::dfg, "table"),
             .areaLight = known(Slot::areaLight, "point"),
+            .textureFilter = known(Slot::textureFilter, "trilinear"),
             .specularAntialiasing = known(Slot::specularAntialiasing, "none"),
             .pixelSampling = known(Slot::pixelSampling, "supersampled")};
 }
@@ -52,6 +53,7 @@ Preset source(std::string_view id, std::string_view description, std::string_vie
     preset.description = description;
     preset.model = known(Slot::model, model);
     preset.areaLight = known(Slot::areaLight, "point"); // their lights have no size
+    preset.textureFilter = known(Slot::textureFilter, "trilinear");
     preset.specularAntialiasing = known(Slot::specularAntialiasing, "none");
     preset.pixelSampling = known(Slot::pixelSampling, "supersampled");
     preset.light = light;
@@ -129,6 +131,8 @@ auto* place(P& preset, Slot slot)
         return &preset.dfg;
     case Slot::areaLight:
         return &preset.areaLight;
+    case Slot::textureFilter:
+        return &preset.textureFilter;
     case Slot::specularAntialiasing:
         return &preset.specularAntialiasing;
     case Slot::pixelSampling:

@@ -1,5 +1,6 @@
 #include "passes/frame_data.h"
 
+#include "brdf/texture_filter.h"
 #include "plan/attribute_plan.h"
 #include "plan/level_plan.h"
 #include "plan/light_plan.h"
@@ -60,8 +61,8 @@ shared::UvTransform uvTransform(const TextureUse& use)
     return {.u = vec3(dvec3(t[0].x, t[1].x, t[2].x)), .v = vec3(dvec3(t[0].y, t[1].y, t[2].y))};
 }
 
-// What is kept is the level of one texture as it lies on the device, its sampler's bias in it. Another's is finer by
-// the ratio of their sizes, and each by the levels that are not there.
+// What is kept is the level of one texture as it lies on the device, its sampler's bias in it where the device says the
+// level. Another's is finer by the ratio of their sizes, and each by the levels that are not there.
 void setLevels(shared::Material& material, const ShadingPlan& plan, const TextureSet& textures,
                std::span<const int> finestLevels)
 {
@@ -74,7 +75,8 @@ void setLevels(shared::Material& material, const ShadingPlan& plan, const Textur
         return plan.textures[static_cast<std::size_t>(texture)];
     };
     const PlannedTexture& keptTexture = planned(textureOf(*kept));
-    const double keptBias = keptTexture.sampler.mip == MipFilter::none ? 0.0 : levelBias(plan.settings);
+    const bool biased = keptTexture.sampler.mip != MipFilter::none && !brdf::computesLevel(plan.settings.methods);
+    const double keptBias = biased ? levelBias(plan.settings) : 0.0;
     const auto difference = [&](TextureRole role) {
         const int texture = textureOf(role);
         return texture < 0 ? 0.0f

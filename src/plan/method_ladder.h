@@ -32,7 +32,7 @@ struct Rung
 {
     const brdf::Method* method = nullptr;
     int samples = 0;    // 0: it draws none
-    double cost = 0.0;  // ns a pixel, of a whole frame with it
+    double cost = 0.0;  // ns a pixel, of a whole frame with it; NaN: not measured
     double error = 0.0; // mean error of the picture that is expected of it
 };
 

@@ -3,6 +3,7 @@
 #include "brdf/dfg.h"
 #include "brdf/environment.h"
 #include "brdf/selection.h"
+#include "brdf/texture_filter.h"
 #include "plan/attribute_plan.h"
 
 namespace torrance {
@@ -105,6 +106,12 @@ void defineAntialiasing(std::string& text, const brdf::Preset& methods, bool nor
     define(text, "AA_TOKSVIG", method.id == "toksvig" && normalMap);
 }
 
+// Of what reads textures alone: other shaders are the same for every filter.
+void defineFilter(std::string& text, const brdf::Preset& methods, const ShaderKey& key)
+{
+    define(text, "EXACT_LEVEL", brdf::computesLevel(methods) && (key.usesUv(0) || key.usesUv(1)));
+}
+
 const char* surfaceMacro(SurfaceKind kind)
 {
     switch (kind) {
@@ -175,6 +182,7 @@ std::string selectedText(const ShadingPlan& plan, const ShaderKey& key)
         text += "#include \"" + brdf::glslPath(*dfg) + "\"\n#define DFG_FIT " + brdf::functionName(*dfg) + "\n";
     define(text, "READS_LIGHT_ALBEDO",
            lightsReadAlbedo && key.compensates && plan.settings.methods.multipleScattering->readsLightAlbedo);
+    defineFilter(text, plan.settings.methods, key);
     defineUvs(text, key);
     definePlace(text, key.roughness, "ROUGHNESS_TEXEL", "material.g");
     definePlace(text, key.metallic, "METALLIC_TEXEL", "material.b");
@@ -203,6 +211,7 @@ std::string attributesText(const ShadingPlan& plan, const Batch& batch)
     define(text, "ALPHA_MASK", key.alphaMode == AlphaMode::mask);
     define(text, "ONE_PLACE", key.onePlace);
     define(text, "SIDES", true);
+    defineFilter(text, plan.settings.methods, key);
     defineUvs(text, key);
     define(text, "ATTRIBUTES_HAVE_UV", attributePictures(plan) == 2);
     if (const auto role = levelRole(plan, batch.textures))

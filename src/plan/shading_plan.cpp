@@ -123,6 +123,7 @@ std::pair<ShaderKey, TextureSet> Planner::keyOf(const PlannedMaterial& planned, 
         needs.lengthInAlpha = plan.settings.methods.specularAntialiasing->id == "toksvig";
         key.compensates = planned.compensates;
     }
+    needs.nearestLevel = plan.settings.methods.textureFilter->id == "nearest_level";
     const RoleTextures textures = planTextures(scene, m, needs, key);
     TextureSet set;
     std::ranges::transform(textures, set.begin(), [&](const auto& t) { return t ? textureIndex(*t) : -1; });

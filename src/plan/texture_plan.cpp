@@ -230,6 +230,8 @@ RoleTextures planTextures(const Scene& scene, const Material& material, const Te
         const TextureImage& image = scene.images[static_cast<std::size_t>(source->image)];
         texture->width = image.width;
         texture->height = image.height;
+        if (needs.nearestLevel && texture->sampler.mip == MipFilter::linear)
+            texture->sampler.mip = MipFilter::nearest;
     }
     return textures;
 }

@@ -61,6 +61,7 @@ struct TextureNeeds
     TextureKey baseColor, metallicRoughness, normal, occlusion, emissive;
     bool roughness = false, metallic = false; // varies over metallicRoughness
     bool lengthInAlpha = false;               // of the normal map
+    bool nearestLevel = false;                // stands for the mean of two levels
 };
 
 /// Packs what `needs` names: single channels go into alphas that nothing else needs, where both are sampled alike, are

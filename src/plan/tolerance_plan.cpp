@@ -1,6 +1,7 @@
 #include "plan/tolerance_plan.h"
 
 #include <algorithm>
+#include <cmath>
 #include <fmt/format.h>
 
 namespace torrance {
@@ -15,6 +16,20 @@ std::size_t firstWithin(const MethodLadder& ladder, double error)
                                        : static_cast<std::size_t>(found - ladder.rungs.begin());
 }
 
+double shareOf(const LadderScene& scene)
+{
+    return scene.even || !scene.environment ? kSlotShareAlone : kSlotShare;
+}
+
+// Costs are those of a table, or none was measured.
+std::string reasonFor(const Rung& taken, const Rung& highest)
+{
+    if (std::isnan(taken.cost))
+        return fmt::format("{:.2g} % of the light, measured on this picture", 100.0 * taken.error);
+    return fmt::format("{:.2g} % expected by the table, and {:.3g} ns a pixel less than {}", 100.0 * taken.error,
+                       highest.cost - taken.cost, nameOf(highest));
+}
+
 } // namespace
 
 TolerancePlan planTolerance(const MethodTable& table, const Tolerance& tolerance, const brdf::Preset& asked,
@@ -22,7 +37,6 @@ TolerancePlan planTolerance(const MethodTable& table, const Tolerance& tolerance
                             const LadderScene& scene)
 {
     TolerancePlan plan = {tolerance, {}};
-    const double share = scene.even || !scene.environment ? kSlotShareAlone : kSlotShare;
     for (const Slot slot : kChosenSlots) {
         if (!asked[slot] || std::ranges::find(fixed, slot) != fixed.end())
             continue;
@@ -30,10 +44,16 @@ TolerancePlan planTolerance(const MethodTable& table, const Tolerance& tolerance
         if (!ladder)
             continue;
         if (slot != Slot::environmentSpecular)
-            ladder->at = firstWithin(*ladder, share * tolerance.mean);
+            ladder->at = firstWithin(*ladder, shareOf(scene) * tolerance.mean);
         plan.ladders.push_back(std::move(*ladder));
     }
     return plan;
+}
+
+void addLadder(TolerancePlan& plan, MethodLadder ladder, const LadderScene& scene)
+{
+    ladder.at = firstWithin(ladder, shareOf(scene) * plan.tolerance.mean);
+    plan.ladders.push_back(std::move(ladder));
 }
 
 Settings settingsOf(const TolerancePlan& plan, Settings settings)
@@ -80,10 +100,7 @@ Remarks remarksOf(const TolerancePlan& plan)
     Remarks remarks;
     for (const MethodLadder& ladder : plan.ladders) {
         const std::string subject = "tolerance, " + std::string(brdf::slotName(ladder.slot));
-        const Rung &taken = ladder.taken(), &highest = ladder.rungs.back();
-        remarks.push_back({subject, nameOf(taken),
-                           fmt::format("{:.2g} % expected by the table, and {:.3g} ns a pixel less than {}",
-                                       100.0 * taken.error, highest.cost - taken.cost, nameOf(highest))});
+        remarks.push_back({subject, nameOf(ladder.taken()), reasonFor(ladder.taken(), ladder.rungs.back())});
         for (const RefusedMethod& refused : ladder.refused)
             remarks.push_back({subject, "not " + std::string(refused.method->id), refused.reason});
     }

@@ -27,6 +27,9 @@ TolerancePlan planTolerance(const MethodTable& table, const Tolerance& tolerance
                             std::span<const brdf::Slot> fixed, std::span<const SeenSurface> surfaces,
                             const LadderScene& scene);
 
+/// One more slot, whose errors were measured on the picture itself: it begins where those of the table do.
+void addLadder(TolerancePlan& plan, MethodLadder ladder, const LadderScene& scene);
+
 /// What is drawn with the choice as it stands.
 Settings settingsOf(const TolerancePlan& plan, Settings settings);
 

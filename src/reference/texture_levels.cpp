@@ -1,9 +1,10 @@
 #include "reference/texture_levels.h"
 
+#include "brdf/texture_filter.h"
+
 #include <algorithm>
 #include <bit>
 #include <cmath>
-#include <limits>
 
 namespace torrance {
 namespace {
@@ -77,10 +78,10 @@ dvec4 sampleLevel(const TextureImage& image, const Sampler& sampler, const Level
            f.y * ((1.0 - f.x) * texel(x, y + 1) + f.x * texel(x + 1, y + 1));
 }
 
-double lengthInTexels(const dvec2& step, const TextureImage& image)
+dvec2 inTexels(const dvec2& step, const TextureImage& image)
 {
-    const double length = glm::length(step * dvec2(image.width, image.height));
-    return std::isfinite(length) ? length : 0.0;
+    const dvec2 texels = step * dvec2(image.width, image.height);
+    return std::isfinite(glm::length(texels)) ? texels : dvec2(0.0);
 }
 
 } // namespace
@@ -105,8 +106,7 @@ dvec4 levelTexel(const TextureImage& image, const LevelRule& rule, int level, in
 
 double levelOfDetail(const TextureImage& image, const UvSteps& steps, double bias)
 {
-    const double longer = std::max(lengthInTexels(steps.right, image), lengthInTexels(steps.below, image));
-    return longer > 0.0 ? std::log2(longer) + bias : -std::numeric_limits<double>::infinity();
+    return brdf::T_trilinear_exact({inTexels(steps.right, image), inTexels(steps.below, image)}) + bias;
 }
 
 dvec4 sampleLevels(const TextureImage& image, const Sampler& sampler, const LevelRule& rule, const dvec2& uv,

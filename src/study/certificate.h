@@ -14,6 +14,7 @@
 #include <cstdint>
 #include <functional>
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -108,6 +109,9 @@ public:
 
     /// As certify, of a picture drawn with these settings.
     Certificate judge(const Settings& settings, const Image& drawn, CertificateParts parts) const;
+
+    /// All that see a surface.
+    std::span<const CoveredPixel> pixels() const { return covered; }
 
     /// What the pixels that are drawn at random see (surface_survey.h). Empty where nothing is covered.
     std::vector<SeenSurface> surfaces() const;

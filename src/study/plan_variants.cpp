@@ -56,6 +56,17 @@ void addNumbers(std::vector<PlanVariant>& variants, const Scene& scene, const Se
             variants.push_back({fmt::format("environment {} wide", width), "environment_size", base, width});
 }
 
+void addFilters(std::vector<PlanVariant>& variants, const Scene& scene, const Settings& base)
+{
+    for (const brdf::Method* method : methodsOf(Slot::textureFilter)) {
+        if (scene.textures.empty() || method == base.methods.textureFilter)
+            continue;
+        Settings settings = base;
+        settings.methods.textureFilter = method;
+        variants.push_back({fmt::format("texture_filter={}", method->id), "texture_filter", settings, 0});
+    }
+}
+
 void addPaths(std::vector<PlanVariant>& variants, const Settings& base)
 {
     for (const RenderPath path :
@@ -88,6 +99,7 @@ std::vector<PlanVariant> planVariants(const Scene& scene, const Settings& base)
     all.push_back({"gltf", "preset", gltf, 0});
     addMethods(all, scene, base);
     addNumbers(all, scene, base);
+    addFilters(all, scene, base);
     addPaths(all, base);
     std::vector<PlanVariant> variants;
     for (PlanVariant& variant : all)

@@ -76,6 +76,7 @@ TrialScene trialScene(Slot slot)
     case Slot::tone:
     case Slot::transfer:
         return TrialScene::picture;
+    case Slot::textureFilter:
     case Slot::pixelSampling:
     case Slot::sheen:
         break;
@@ -111,6 +112,8 @@ std::string whyNotDrawn(const Method& method)
         return "no material is drawn with it yet";
     if (method.slot == Slot::pixelSampling)
         return "is about edges, which are not judged on spheres: torrance chart SCENE draws it";
+    if (method.slot == Slot::textureFilter)
+        return "is about textures, which the spheres have not: torrance chart SCENE draws it";
     if (method.needs != brdf::Interface::reflectance)
         return "needs an index of refraction that a base colour does not give: a truth, and not drawn";
     if (!method.ownModel.empty())

@@ -1,5 +1,6 @@
 // The exact light of the surfaces that a device found under its pixels' centres: what shading error is measured
-// against. Textures and triangles are the device's own, so that what filtering does to them is no error of shading.
+// against. Triangles and texels are the device's own, and its level of detail is one where `picture` was
+// drawn with trilinear_exact: what other filters change is their error.
 #pragma once
 
 #include "math/replicates.h"

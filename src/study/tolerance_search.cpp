@@ -5,6 +5,7 @@
 #include "plan/shading_plan.h"
 #include "reference/shade.h"
 #include "study/error_numbers.h"
+#include "study/filter_ladder.h"
 
 #include <algorithm>
 #include <fmt/format.h>
@@ -67,8 +68,12 @@ ToleranceResult drawWithin(const ToleranceTask& task, const std::function<const 
     std::optional<Certifier> certifier;
     certifier.emplace(task.scene, task.camera, task.asked, request, task.checkpoint);
     ToleranceResult result;
-    result.plan = planTolerance(task.table, task.tolerance, task.asked.methods, task.fixed, certifier->surfaces(),
-                                factsOf(task.scene, task.asked));
+    const LadderScene facts = factsOf(task.scene, task.asked);
+    result.plan =
+        planTolerance(task.table, task.tolerance, task.asked.methods, task.fixed, certifier->surfaces(), facts);
+    if (std::ranges::find(task.fixed, brdf::Slot::textureFilter) == task.fixed.end())
+        if (auto filters = filterLadder(task.scene, settingsOf(result.plan, task.asked), certifier->pixels(), draw))
+            addLadder(result.plan, std::move(*filters), facts);
     for (int step = 0;; ++step) {
         result.settings = settingsOf(result.plan, task.asked);
         const Image& drawn = draw(result.settings);

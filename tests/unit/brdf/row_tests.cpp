@@ -45,6 +45,7 @@ constexpr RowTest kRowTests[] = {
      "PointFollowsTheInverseSquareAndTheCosine"},
     {Slot::areaLight, "representative", "tests/image/area_lights.cpp", "AreaLights", "EveryMethodIsItsFormula"},
     {Slot::areaLight, "sampled", "tests/image/area_lights.cpp", "AreaLights", "EveryMethodIsItsFormula"},
+    {Slot::textureFilter, "", "tests/image/texture_filters.cpp", "TextureFilters", "EveryFilterIsItsFormula"},
     {Slot::specularAntialiasing, "toksvig", "tests/image/specular_antialiasing.cpp", "SpecularAntialiasing",
      "ToksvigCalmsAMinifiedNormalMap"},
     {Slot::specularAntialiasing, "tokuyoshi", "tests/image/specular_antialiasing.cpp", "SpecularAntialiasing",

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace torrance {
 namespace {
@@ -219,6 +220,30 @@ TEST(TolerancePlan, WritesItsChoiceIntoTheSettings)
     EXPECT_EQ(drawn.methods.environmentSpecular->id, "vndf_lamps");
     EXPECT_EQ(drawn.environmentSamples, 64);
     EXPECT_EQ(drawn.methods.distribution, standard().distribution) << "the model stays as it was asked for";
+}
+
+// What a picture itself says of a slot takes part as what the table says does.
+TEST(TolerancePlan, AMeasuredSlotBeginsWithinItsShareAndGoesUpAsOthersDo)
+{
+    constexpr double kNotMeasured = std::numeric_limits<double>::quiet_NaN();
+    MethodLadder filters;
+    filters.slot = Slot::textureFilter;
+    filters.rungs = {{method(Slot::textureFilter, "nearest_level"), 0, kNotMeasured, 0.02},
+                     {method(Slot::textureFilter, "trilinear"), 0, kNotMeasured, 0.002},
+                     {method(Slot::textureFilter, "trilinear_exact"), 0, kNotMeasured, 0.0}};
+    const auto taken = [](const TolerancePlan& plan) { return settingsOf(plan, {}).methods.textureFilter->id; };
+    for (const auto& [tolerance, id] :
+         {std::pair(0.5, "nearest_level"), {0.02, "trilinear"}, {0.01, "trilinear_exact"}}) {
+        TolerancePlan plan = planFor(tolerance);
+        addLadder(plan, filters, kLit);
+        EXPECT_EQ(taken(plan), id) << tolerance;
+    }
+    TolerancePlan plan = planFor(0.02);
+    addLadder(plan, filters, kLit);
+    ASSERT_TRUE(stepUp(plan, 0.05, "texture_filter"));
+    EXPECT_EQ(taken(plan), "trilinear_exact");
+    const std::string reason = remarksOf(plan).back().reason;
+    EXPECT_NE(reason.find("measured on this picture"), std::string::npos) << reason;
 }
 
 } // namespace

@@ -1,0 +1,20 @@
+// From which level of detail a texture is read: the rows of slot textureFilter.
+#pragma once
+
+#include "brdf/light_query.h"
+#include "brdf/method.h"
+
+namespace torrance::brdf {
+
+/// Of all three 0 is the texture as it is, and each further 1 a level of half its sides; at or below 0 it is magnified.
+/// -infinity where it is the same all over the quad.
+double T_trilinear_exact(const TexelFootprint& footprint);
+/// The same; a device's logarithm may be off.
+double T_trilinear(const TexelFootprint& footprint);
+/// Whole numbers; halfway, the finer.
+double T_nearest_level(const TexelFootprint& footprint);
+
+/// The shader computes the level; else the device does.
+bool computesLevel(const Preset& methods);
+
+} // namespace torrance::brdf
