@@ -1,4 +1,5 @@
 #include "brdf/diffuse.h"
+#include "math/powers.h"
 
 #include <algorithm>
 #include <cmath>
@@ -66,8 +67,8 @@ dvec3 Fd_burley(const ShadingPoint& point)
     if (belowHorizon(point))
         return dvec3(0);
     const double FD90 = 0.5 + 2.0 * point.perceptualRoughness * point.VoH * point.VoH;
-    const double light = std::pow(1.0 - point.NoL, 5);
-    const double view = std::pow(1.0 - point.NoV, 5);
+    const double light = fifthPower(1.0 - point.NoL);
+    const double view = fifthPower(1.0 - point.NoV);
     const double lightGain = (1.0 - light) + FD90 * light;
     const double viewGain = (1.0 - view) + FD90 * view;
     return point.baseColor * (lightGain * viewGain / kPi);
@@ -81,8 +82,8 @@ dvec3 Fd_burley_renormalised(const ShadingPoint& point)
         return dvec3(0);
     const double r = point.perceptualRoughness;
     const double FD90 = r * (0.5 + 2.0 * point.VoH * point.VoH);
-    const double light = std::pow(1.0 - point.NoL, 5);
-    const double view = std::pow(1.0 - point.NoV, 5);
+    const double light = fifthPower(1.0 - point.NoL);
+    const double view = fifthPower(1.0 - point.NoV);
     const double factor = (1.0 - r) + r / 1.51;
     const double gain = ((1.0 - light) + FD90 * light) * ((1.0 - view) + FD90 * view);
     return point.baseColor * (factor * gain / kPi);
@@ -137,8 +138,8 @@ dvec3 Fd_chan(const ShadingPoint& point)
         return dvec3(0);
     const double a2 = point.alpha * point.alpha;
     const double g = std::clamp(std::log1p(2.0 * (1.0 - a2) / a2) / (18.0 * std::log(2.0)), 0.0, 1.0);
-    const double rough = point.VoH + std::pow(point.oneLessVoH, 5);
-    const double smooth = (1.0 - 0.75 * std::pow(1.0 - point.NoV, 5)) * (1.0 - 0.75 * std::pow(1.0 - point.NoL, 5));
+    const double rough = point.VoH + fifthPower(point.oneLessVoH);
+    const double smooth = (1.0 - 0.75 * fifthPower(1.0 - point.NoV)) * (1.0 - 0.75 * fifthPower(1.0 - point.NoL));
     const double blend = std::clamp(2.2 * g - 0.5, 0.0, 1.0);
     const double width = std::max(73.2 * g - 21.2, 8.9);
     const double bump = (34.5 * g * g - 59.0 * g + 24.5) * point.VoH * std::exp2(-width * std::sqrt(point.NoH));

@@ -7,6 +7,7 @@
 #include "math/frame.h"
 #include "math/low_discrepancy.h"
 #include "math/pixel_rotation.h"
+#include "math/powers.h"
 #include "math/quadrature.h"
 #include "math/sampling.h"
 #include "math/spherical_harmonics.h"
@@ -83,7 +84,7 @@ dvec3 estimate(const EnvironmentQuery& query, const Draw& draw, const Density& d
         if (!(p > 0))
             continue;
         const ShadingPoint point = makeShadingPoint(dvec3(0, 0, 1), v, l, query.perceptualRoughness);
-        const dvec3 fresnel = query.f0 + (dvec3(1) - query.f0) * std::pow(point.oneLessVoH, 5);
+        const dvec3 fresnel = query.f0 + (dvec3(1) - query.f0) * fifthPower(point.oneLessVoH);
         sum += fresnel * query.radiance(axes * l) * (D_ggx(point) * V_smith_corr(point) * point.NoL / p);
     }
     return sum / static_cast<double>(query.samples);
@@ -194,7 +195,7 @@ dvec3 Es_vndf_lamps(const EnvironmentQuery& query)
     const double directions = query.samples, points = static_cast<double>(query.lampPoints.size());
     const auto reflected = [&](const dvec3& l) {
         const ShadingPoint point = makeShadingPoint(dvec3(0, 0, 1), v, l, query.perceptualRoughness);
-        const dvec3 fresnel = query.f0 + (dvec3(1) - query.f0) * std::pow(point.oneLessVoH, 5);
+        const dvec3 fresnel = query.f0 + (dvec3(1) - query.f0) * fifthPower(point.oneLessVoH);
         return fresnel * (D_ggx(point) * V_smith_corr(point) * point.NoL);
     };
     dvec3 sum(0);

@@ -1,4 +1,5 @@
 #include "brdf/fresnel.h"
+#include "math/powers.h"
 
 #include <algorithm>
 #include <cmath>
@@ -64,8 +65,8 @@ double lazanyi(double c, double oneLessC, double eta, double k)
 {
     if (eta == 1 && k == 0)
         return 0; // no interface, at grazing too
-    const double missed = indexedSchlick(std::pow(1.0 - kDipCosine, 5), eta, k) - conductor(kDipCosine, eta, k);
-    const double F = indexedSchlick(std::pow(oneLessC, 5), eta, k) - missed * dip(c, oneLessC);
+    const double missed = indexedSchlick(fifthPower(1.0 - kDipCosine), eta, k) - conductor(kDipCosine, eta, k);
+    const double F = indexedSchlick(fifthPower(oneLessC), eta, k) - missed * dip(c, oneLessC);
     return std::clamp(F, 0.0, 1.0);
 }
 
@@ -74,7 +75,7 @@ double lazanyi(double c, double oneLessC, double eta, double k)
 // Schlick 1994, eq. 15.
 dvec3 F_schlick(const ShadingPoint& point)
 {
-    const double grazing = std::pow(point.oneLessVoH, 5);
+    const double grazing = fifthPower(point.oneLessVoH);
     return point.f0 * (1.0 - grazing) + point.f90 * grazing;
 }
 
@@ -91,8 +92,8 @@ dvec3 F_sg(const ShadingPoint& point)
 dvec3 F_f82(const ShadingPoint& point)
 {
     const dvec3 slope = point.f90 - point.f0;
-    const dvec3 schlick = point.f0 + slope * std::pow(point.oneLessVoH, 5);
-    const dvec3 missed = (point.f0 + slope * std::pow(1.0 - kDipCosine, 5)) * (dvec3(1) - point.f82);
+    const dvec3 schlick = point.f0 + slope * fifthPower(point.oneLessVoH);
+    const dvec3 missed = (point.f0 + slope * fifthPower(1.0 - kDipCosine)) * (dvec3(1) - point.f82);
     return glm::clamp(schlick - missed * dip(point.VoH, point.oneLessVoH), dvec3(0), dvec3(1));
 }
 

@@ -2,6 +2,7 @@
 
 #include "brdf/albedo.h"
 #include "brdf/shading_point.h"
+#include "math/powers.h"
 #include "math/quadrature.h"
 
 #include <algorithm>
@@ -15,9 +16,9 @@ namespace {
 double diffuseAlbedo(double NoV, double alpha)
 {
     static const QuadratureRule rule = gaussLegendre(5, 0.0, 1.0);
-    const double view = std::pow(1.0 - NoV, 5);
+    const double view = fifthPower(1.0 - NoV);
     return 2.0 * integrate(rule, [&](double x) {
-               const double light = std::pow(1.0 - x, 5);
+               const double light = fifthPower(1.0 - x);
                const double even = -0.5 + alpha * (1.0 + NoV * x); // f90 - 1 = even + turning cos(azimuth)
                const double turning2 = alpha * alpha * (1.0 - NoV * NoV) * (1.0 - x * x);
                return x * (1.0 + even * (light + view) + (even * even + 0.5 * turning2) * light * view);

@@ -2,6 +2,7 @@
 #include "brdf/method.h"
 #include "brdf/model.h"
 #include "brdf/model_parts.h"
+#include "math/powers.h"
 
 namespace torrance::brdf {
 namespace {
@@ -14,7 +15,7 @@ constexpr double kSourceEpsilon = 1e-6;
 double burley(const ShadingPoint& p)
 {
     const double f90 = 0.5 + 2.0 * p.alpha * p.VoH * p.VoH;
-    return (1.0 + (f90 - 1.0) * std::pow(1.0 - p.NoL, 5)) * (1.0 + (f90 - 1.0) * std::pow(1.0 - p.NoV, 5)) / kPi;
+    return (1.0 + (f90 - 1.0) * fifthPower(1.0 - p.NoL)) * (1.0 + (f90 - 1.0) * fifthPower(1.0 - p.NoV)) / kPi;
 }
 
 } // namespace

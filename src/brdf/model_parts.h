@@ -3,6 +3,7 @@
 
 #include "brdf/brdf_terms.h"
 #include "brdf/shading_point.h"
+#include "math/powers.h"
 
 #include <algorithm>
 #include <cmath>
@@ -12,7 +13,7 @@ namespace torrance::brdf {
 /// F0 + (1 - F0)(1 - cosine)^5.
 inline dvec3 schlick(const dvec3& F0, double cosine)
 {
-    return F0 + (dvec3(1) - F0) * std::pow(1.0 - cosine, 5);
+    return F0 + (dvec3(1) - F0) * fifthPower(1.0 - cosine);
 }
 
 /// Schlick's G1: x / (x (1 - k) + k).

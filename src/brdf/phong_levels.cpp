@@ -3,6 +3,7 @@
 #include "brdf/environment.h"
 #include "brdf/material_mapping.h"
 #include "math/frame.h"
+#include "math/powers.h"
 #include "math/quadrature.h"
 #include "scene/phong.h"
 
@@ -60,7 +61,7 @@ dvec3 phongRadiance(const EnvironmentQuery& query)
 
 dvec3 Es_phong_levels(const EnvironmentQuery& query)
 {
-    const dvec3 fresnel = query.f0 + (dvec3(1) - query.f0) * std::pow(1.0 - glm::dot(query.n, query.v), 5);
+    const dvec3 fresnel = query.f0 + (dvec3(1) - query.f0) * fifthPower(1.0 - glm::dot(query.n, query.v));
     return fresnel * phongRadiance(query);
 }
 

@@ -6,10 +6,15 @@
 namespace torrance::brdf {
 namespace {
 
-// Scaled by a power of two first, which rounds nothing: squares of 1e200 or 1e-200 are no doubles.
+// Squares of what lies between are far from the ends of double.
+constexpr double kLeastPlain = 0x1p-500, kGreatestPlain = 0x1p500;
+
+// Other vectors are scaled by a power of two first, which rounds nothing: squares of 1e200 or 1e-200 are no doubles.
 dvec3 unit(const dvec3& vector)
 {
     const double greatest = std::max({std::abs(vector.x), std::abs(vector.y), std::abs(vector.z)});
+    if (greatest > kLeastPlain && greatest < kGreatestPlain)
+        return glm::normalize(vector);
     int exponent = 0;
     std::frexp(greatest, &exponent);
     return glm::normalize(

@@ -15,7 +15,8 @@ bool belowHorizon(const ShadingPoint& point)
 // multiplied in, so that nothing grows towards grazing.
 double cosTimesOnePlusTwoLambda(double cosine, double alpha)
 {
-    return std::hypot(cosine, alpha * std::sqrt((1.0 - cosine) * (1.0 + cosine)));
+    const double sine2 = (1.0 - cosine) * (1.0 + cosine);
+    return std::sqrt(cosine * cosine + alpha * alpha * sine2);
 }
 
 // G of a product of two Schlick terms c / (c (1 - k) + k), over 4 NoV NoL.

@@ -1,6 +1,7 @@
 #include "reference/bounce_directions.h"
 
 #include "brdf/shading_point.h"
+#include "math/powers.h"
 #include "math/sampling.h"
 #include "scene/phong.h"
 
@@ -18,7 +19,7 @@ double brightest(const dvec3& color)
 double lobeShareOf(const MaterialPoint& material, double NoV)
 {
     const double f0 = std::lerp(reflectanceOfIor(material.ior), brightest(material.baseColor), material.metallic);
-    const double lobe = f0 + (1.0 - f0) * std::pow(1.0 - std::clamp(NoV, 0.0, 1.0), 5);
+    const double lobe = f0 + (1.0 - f0) * fifthPower(1.0 - std::clamp(NoV, 0.0, 1.0));
     const double body = (1.0 - material.metallic) * brightest(material.baseColor) * (1.0 - lobe);
     const double share = lobe + body > 0.0 ? lobe / (lobe + body) : 0.5;
     return std::clamp(share, kLeastShare, 1.0 - kLeastShare);

@@ -1,10 +1,10 @@
 #include "reference/environment_sampler.h"
 
+#include "math/guided_choice.h"
 #include "math/latlong.h"
 
 #include <algorithm>
 #include <cmath>
-#include <span>
 
 namespace torrance {
 namespace {
@@ -14,23 +14,6 @@ dmat3 turned(double angle)
 {
     const double c = std::cos(angle), s = std::sin(angle);
     return {dvec3(c, 0.0, -s), dvec3(0.0, 1.0, 0.0), dvec3(s, 0.0, c)};
-}
-
-struct Choice
-{
-    int index;
-    double rest; // where in the chosen interval, [0, 1)
-};
-
-/// The interval of running sums in which the fraction u of the last one lies.
-Choice choose(std::span<const double> sums, double u)
-{
-    const double target = u * sums.back();
-    auto found = std::upper_bound(sums.begin(), sums.end(), target);
-    if (found == sums.end()) // u * sum rounded up to the sum
-        found = std::lower_bound(sums.begin(), sums.end(), sums.back());
-    const double before = found == sums.begin() ? 0.0 : *(found - 1);
-    return {static_cast<int>(found - sums.begin()), std::clamp((target - before) / (*found - before), 0.0, 1.0)};
 }
 
 /// A point of [-1, 1] of density 1 - |x|.
@@ -62,6 +45,12 @@ EnvironmentSampler::EnvironmentSampler(const Environment& environment)
         total += row;
         rows.push_back(total);
     }
+    rowGuide.resize(rows.size());
+    makeGuide(rows, rowGuide);
+    columnGuides.resize(columns.size());
+    const auto stride = static_cast<std::size_t>(width);
+    for (std::size_t first = 0; first < columns.size(); first += stride)
+        makeGuide(std::span(columns).subspan(first, stride), std::span(columnGuides).subspan(first, stride));
     if (!(intensity > 0.0))
         total = 0.0;
 }
@@ -90,11 +79,13 @@ DirectedLight EnvironmentSampler::at(const dvec3& direction) const
 
 dvec3 EnvironmentSampler::draw(const dvec2& u) const
 {
-    const Choice row = choose(rows, u.y);
-    const std::size_t stride = static_cast<std::size_t>(width);
-    const Choice column = choose(std::span(columns).subspan(static_cast<std::size_t>(row.index) * stride, stride), u.x);
-    const double x = (column.index + 0.5 + triangular(column.rest)) / width;
-    double y = (row.index + 0.5 + triangular(row.rest)) / height;
+    const auto stride = static_cast<std::size_t>(width);
+    const IntervalChoice row = choose(rows, rowGuide, u.y);
+    const std::size_t first = row.index * stride;
+    const IntervalChoice column =
+        choose(std::span(columns).subspan(first, stride), std::span(columnGuides).subspan(first, stride), u.x);
+    const double x = (static_cast<double>(column.index) + 0.5 + triangular(column.rest)) / width;
+    double y = (static_cast<double>(row.index) + 0.5 + triangular(row.rest)) / height;
     y = y < 0.0 ? -y : y > 1.0 ? 2.0 - y : y;
     return worldFromEnvironment * directionFromLatLong({x, y});
 }

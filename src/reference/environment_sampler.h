@@ -4,6 +4,7 @@
 #include "reference/directed_light.h"
 #include "scene/scene.h"
 
+#include <cstdint>
 #include <vector>
 
 namespace torrance {
@@ -48,6 +49,7 @@ private:
     std::vector<Texel> texels;
     std::vector<double> columns; // per row, running sums of its weights, starting after the first texel
     std::vector<double> rows;    // running sums of whole rows
+    std::vector<std::uint32_t> columnGuides, rowGuide; // math/guided_choice.h
     double total = 0.0;
 };
 

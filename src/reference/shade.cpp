@@ -4,6 +4,7 @@
 #include "brdf/brdf.h"
 #include "brdf/lobe_albedo.h"
 #include "core/error.h"
+#include "math/powers.h"
 #include "scene/phong.h"
 
 #include <algorithm>
@@ -54,7 +55,7 @@ double furnaceWeight(const brdf::Method& method, double f0, double NoV, double l
     if (method.id == "albedo_scaling")
         return 1.0 - lobe;
     if (method.id == "fresnel_nol_nov") // Schlick's term, and its mean over the light directions
-        return (1.0 - f0) * (1.0 - std::pow(1.0 - NoV, 5)) * (1.0 - f0) * (1.0 - 1.0 / 21.0);
+        return (1.0 - f0) * (1.0 - fifthPower(1.0 - NoV)) * (1.0 - f0) * (1.0 - 1.0 / 21.0);
     return (1.0 - f0) * (1.0 - brdf::schlickDiffuseWeight(NoV));
 }
 
