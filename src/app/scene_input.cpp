@@ -86,10 +86,12 @@ LoadOptions loadOptions(const SceneOptions& chosen)
     return options;
 }
 
-LoadedScene buildChosenScene(const SceneOptions& chosen, const std::string& input)
+LoadedScene buildChosenScene(const SceneOptions& chosen, const std::string& input, const std::stop_token& stop)
 {
+    LoadOptions options = loadOptions(chosen);
+    options.stop = stop;
     LoadedScene loaded =
-        chosen.primitive.empty() ? loadScene(sceneFile(input), loadOptions(chosen)) : primitiveScene(chosen.primitive);
+        chosen.primitive.empty() ? loadScene(sceneFile(input), options) : primitiveScene(chosen.primitive);
     if (!chosen.primitive.empty() || choosesMaterial(chosen.material))
         applyMaterial(chosen.material, loaded);
     return loaded;
@@ -111,9 +113,9 @@ void giveLightsTheirRadius(const SceneOptions& chosen, Scene& scene)
         throw usageError("--light-radius is for point and spot lights, and the scene has none", "leave it out");
 }
 
-LoadedScene loadChosenScene(const SceneOptions& chosen, const std::string& input)
+LoadedScene loadChosenScene(const SceneOptions& chosen, const std::string& input, const std::stop_token& stop)
 {
-    LoadedScene loaded = buildChosenScene(chosen, input);
+    LoadedScene loaded = buildChosenScene(chosen, input, stop);
     for (const std::string& warning : loaded.warnings)
         logWarning(warning);
     return loaded;

@@ -6,6 +6,7 @@
 #include "files/scene_file.h"
 
 #include <optional>
+#include <stop_token>
 #include <string>
 #include <vector>
 
@@ -42,11 +43,12 @@ std::string sceneFile(const std::string& input);
 /// Of a file.
 LoadOptions loadOptions(const SceneOptions& options);
 
-/// One of sceneInputs, with the material that was chosen.
-LoadedScene buildChosenScene(const SceneOptions& options, const std::string& input);
+/// One of sceneInputs, with the material that was chosen. Throws Cancelled where a stop was asked for
+/// (LoadOptions::stop).
+LoadedScene buildChosenScene(const SceneOptions& options, const std::string& input, const std::stop_token& stop = {});
 
 /// The same; its warnings are logged.
-LoadedScene loadChosenScene(const SceneOptions& options, const std::string& input);
+LoadedScene loadChosenScene(const SceneOptions& options, const std::string& input, const std::stop_token& stop = {});
 
 /// --light-radius, of the file's lights and of those that other options have added by then. Error (usage) where there
 /// is none to have a radius.

@@ -3,6 +3,7 @@
 #include "core/atomic_write.h"
 #include "core/error.h"
 #include "core/log.h"
+#include "core/user_folder.h"
 
 #include <algorithm>
 #include <array>
@@ -104,11 +105,7 @@ void warnOnce(const std::string& problem)
 
 fs::path userCacheFolder()
 {
-    if (const char* folder = std::getenv("XDG_CACHE_HOME"); folder && *folder)
-        return fs::path(folder) / "torrance";
-    if (const char* home = std::getenv("HOME"); home && *home)
-        return fs::path(home) / ".cache" / "torrance";
-    return {};
+    return userFolder("XDG_CACHE_HOME", ".cache");
 }
 
 KeptResult::KeptResult(int file, std::uint64_t size, const ContentHash& checksum)

@@ -1,5 +1,6 @@
 #include "files/encoded_image.h"
 
+#include "core/cancelled.h"
 #include "core/error.h"
 #include "core/parallel.h"
 #include "files/texture_file.h"
@@ -68,13 +69,14 @@ private:
 
 } // namespace
 
-std::vector<TextureImage> decodeAll(const std::vector<EncodedImage>& encoded)
+std::vector<TextureImage> decodeAll(const std::vector<EncodedImage>& encoded, const std::stop_token& stop)
 {
     std::vector<TextureImage> images(encoded.size());
     std::vector<std::exception_ptr> failures(encoded.size());
     const std::vector<std::size_t> order = longestFirst(encoded);
     ScratchPool pool;
     parallelFor(order.size(), 1, [&](std::size_t place) {
+        endWhereStopped(stop); // no failure of an image: the others are not begun
         const std::size_t i = order[place];
         try {
             std::unique_ptr<DecodeScratch> scratch = pool.take();

@@ -5,6 +5,7 @@
 
 #include <cstdint>
 #include <span>
+#include <stop_token>
 #include <string>
 #include <vector>
 
@@ -23,7 +24,7 @@ struct EncodedImage
 void checkTotalSize(const std::vector<EncodedImage>& images, std::uint64_t maxTexelBytes);
 
 /// Decodes them on all cores. The error is that of the first image that has one, however the work was spread over
-/// threads.
-std::vector<TextureImage> decodeAll(const std::vector<EncodedImage>& encoded);
+/// threads. Throws Cancelled where a stop was asked for, which is looked at before each image.
+std::vector<TextureImage> decodeAll(const std::vector<EncodedImage>& encoded, const std::stop_token& stop = {});
 
 } // namespace torrance

@@ -69,10 +69,11 @@ LoadedScene loadUnchanged(const fs::path& source, const Scene& original, const L
 
 GltfDraft draftOf(const fs::path& source, const fs::path& target, const GltfSaveOptions& options)
 {
-    const std::string file = source.string();
+    const fs::path& own = options.load.readAs.empty() ? source : options.load.readAs;
+    const std::string file = own.string();
     const std::vector<std::byte> bytes = readFile(source, file, "");
     const GltfContainer container = splitContainer(bytes, file);
-    const GltfOrigin origin{folderOf(source), options.load.allowExternal};
+    const GltfOrigin origin{folderOf(own), options.load.allowExternal};
 
     GltfDraft draft;
     draft.document = readOrderedJson(container.json, file);
@@ -103,6 +104,7 @@ std::vector<std::string> save(const fs::path& source, const Scene& original, con
     updateExtensionLists(draft.document, extensions);
 
     LoadOptions reload = options.load;
+    reload.readAs.clear(); // the target is read where it lies
     if (const std::string outside = uriOutsideFolder(draft); !outside.empty() && !reload.allowExternal) {
         reload.allowExternal = true;
         draft.remarks.push_back(

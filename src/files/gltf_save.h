@@ -11,7 +11,9 @@ namespace torrance {
 
 struct GltfSaveOptions
 {
-    LoadOptions load = {}; // as `original` was loaded
+    /// As `original` was loaded. Where that was from a file that has been written over since, `source` is a copy of
+    /// what it was then, and `readAs` its path.
+    LoadOptions load = {};
 
     /// The PNG, JPEG or WebP files of the images that `edited` has beyond `original`, in their order.
     std::vector<std::filesystem::path> pictures = {};

@@ -78,7 +78,7 @@ private:
                     textures.insert(use->texture);
         }
         GltfTextures read = readTextures(model, document.json, document.buffers, document.origin, textures,
-                                         document.limits.texelBytes, report);
+                                         document.limits.texelBytes, document.stop, report);
         for (GltfMaterial& material : materials) {
             for (TextureUse* use : usesOf(material.material))
                 if (use->used())

@@ -7,6 +7,7 @@
 #include "files/scene_file.h"
 
 #include <nlohmann/json_fwd.hpp>
+#include <stop_token>
 
 namespace torrance {
 
@@ -20,6 +21,7 @@ struct GltfDocument
     const GltfNodeTree& tree;
     const GltfOrigin& origin;
     const SceneLimits& limits;
+    const std::stop_token& stop;
 };
 
 /// The number of the scene that is drawn: `chosen`, the file's default, the first; -1 where the file has no scenes.

@@ -1,5 +1,6 @@
 #include "files/gltf_textures.h"
 
+#include "core/cancelled.h"
 #include "files/encoded_image.h"
 #include "files/gltf_items.h"
 #include "files/gltf_model.h"
@@ -118,7 +119,7 @@ EncodedImage readImage(const json& image, std::size_t index, const GltfBuffers& 
 
 GltfTextures readTextures(const tinygltf::Model& model, const json& document, const GltfBuffers& buffers,
                           const GltfOrigin& origin, const std::set<int>& used, std::uint64_t maxTexelBytes,
-                          const LoadReport& report)
+                          const std::stop_token& stop, const LoadReport& report)
 {
     GltfTextures result;
     result.textureOfFile.assign(model.textures.size(), -1);
@@ -131,6 +132,7 @@ GltfTextures readTextures(const tinygltf::Model& model, const json& document, co
         const auto image =
             static_cast<std::size_t>(imageOf(source, itemName("textures", static_cast<std::size_t>(index)), report));
         if (imageOfFile[image] < 0) {
+            endWhereStopped(stop);
             imageOfFile[image] = static_cast<int>(encoded.size());
             result.fileImages.push_back(static_cast<int>(image));
             encoded.push_back(readImage(images[image], image, buffers, origin, report));
@@ -143,7 +145,7 @@ GltfTextures readTextures(const tinygltf::Model& model, const json& document, co
         result.textures.push_back({imageOfFile[image], samplerOf(model, source.sampler, report)});
     }
     checkTotalSize(encoded, maxTexelBytes);
-    result.images = decodeAll(encoded);
+    result.images = decodeAll(encoded, stop);
     return result;
 }
 

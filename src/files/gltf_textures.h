@@ -6,6 +6,7 @@
 
 #include <nlohmann/json_fwd.hpp>
 #include <set>
+#include <stop_token>
 
 namespace tinygltf {
 class Model;
@@ -24,9 +25,10 @@ struct GltfTextures
 /// The textures of the file that `used` names, their images decoded on all cores. Of an image in WebP and one in
 /// another format the WebP one is taken (EXT_texture_webp). Errors (input): a texture without an image that can be
 /// read, an image that is missing, damaged, of no size or too large, more than `maxTexelBytes` in all (known from the
-/// headers, before anything is decoded), an unknown sampler value.
+/// headers, before anything is decoded), an unknown sampler value. Throws Cancelled where a stop was asked for, which
+/// is looked at before each image.
 GltfTextures readTextures(const tinygltf::Model& model, const nlohmann::json& document, const GltfBuffers& buffers,
                           const GltfOrigin& origin, const std::set<int>& used, std::uint64_t maxTexelBytes,
-                          const LoadReport& report);
+                          const std::stop_token& stop, const LoadReport& report);
 
 } // namespace torrance

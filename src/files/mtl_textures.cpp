@@ -1,5 +1,6 @@
 #include "files/mtl_textures.h"
 
+#include "core/cancelled.h"
 #include "files/encoded_image.h"
 #include "files/height_map.h"
 #include "files/material_maps.h"
@@ -29,7 +30,7 @@ public:
                 if (isUsed(*pair.from, key))
                     openSource(*pair.from, key);
         checkTotalSize(encoded, options.limits.texelBytes);
-        sources = decodeAll(encoded);
+        sources = decodeAll(encoded, options.stop);
         imageOfSource.assign(sources.size(), -1);
         for (const MtlPair& pair : materials) {
             material = pair.from;
@@ -89,6 +90,7 @@ private:
         sourceOfMap[{&of, key.name}] = source->second;
         if (!isNew)
             return;
+        endWhereStopped(options.stop);
         EncodedImage image;
         image.file = of.file;
         image.name = item;

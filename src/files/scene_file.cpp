@@ -27,7 +27,8 @@ LoadedScene build(const OpenedGltf& opened, const std::filesystem::path& path, c
 
     LoadedScene loaded;
     GltfScene built =
-        buildScene({path.stem().string(), document, buffers, accessors, tree, origin, options.limits}, number, report);
+        buildScene({path.stem().string(), document, buffers, accessors, tree, origin, options.limits, options.stop},
+                   number, report);
     loaded.scene = std::move(built.scene);
     loaded.items = std::move(built.items);
     loaded.facts = factsOfDocument(document, opened.container, opened.bytes.size());
@@ -52,11 +53,12 @@ LoadedScene finished(LoadedScene loaded, LoadReport& report)
 LoadedScene loadScene(const std::filesystem::path& path, const LoadOptions& options)
 {
     LoadReport report;
-    report.file = path.string();
+    const bool isObj = isObjFile(path);
+    const std::filesystem::path& own = isObj || options.readAs.empty() ? path : options.readAs;
+    report.file = own.string();
     try {
-        return finished(isObjFile(path) ? loadObj(path, options, report)
-                                        : build(openGltf(path, report.file), path, options, report),
-                        report);
+        return finished(
+            isObj ? loadObj(path, options, report) : build(openGltf(path, report.file), own, options, report), report);
     } catch (const Error&) {
         throw;
     } catch (const std::bad_alloc&) {

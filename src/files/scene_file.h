@@ -7,6 +7,7 @@
 #include <cstdint>
 #include <filesystem>
 #include <optional>
+#include <stop_token>
 #include <string>
 #include <vector>
 
@@ -27,6 +28,11 @@ struct LoadOptions
     std::optional<int> scene = {}; // instead of the file's default
     bool allowExternal = false;    // URIs may leave the folder of the file: `..`, absolute paths, file:
     SceneLimits limits = {};
+
+    /// Of a glTF file that is read from a copy: its own path, which messages name and relative URIs start from.
+    std::filesystem::path readAs = {};
+    /// Asked before each picture is read and decoded: loading ends with Cancelled (core/cancelled.h).
+    std::stop_token stop = {};
 };
 
 /// How many of a kind a file holds, and their names ("" where one has none).

@@ -18,6 +18,10 @@ auto guarded(const Device& device, Work&& work)
     } catch (const vk::OutOfDeviceMemoryError&) {
         throw Error(ExitCode::deviceFailure,
                     device.description.name + ": out of device memory; choose a smaller picture or scene");
+    } catch (const vk::DeviceLostError&) {
+        throw Error(ExitCode::deviceFailure, device.description.name +
+                                                 ": the device was lost: its driver has reset it, or it is gone; start "
+                                                 "again, or try another device or driver");
     } catch (const vk::SystemError& error) {
         throw Error(ExitCode::deviceFailure,
                     device.description.name + ": " + error.what() + "; try another device or driver");

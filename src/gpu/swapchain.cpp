@@ -46,9 +46,14 @@ Swapchain::Swapchain(const Device& d, vk::raii::SurfaceKHR s) : device(d), surfa
 
 Swapchain::~Swapchain()
 {
+    waitAtEnd();
+}
+
+void Swapchain::waitAtEnd() const noexcept
+{
     try {
         waitUntilIdle();
-    } catch (const vk::SystemError&) { // a lost device has nothing left to wait for
+    } catch (const vk::SystemError&) { // lost: what was submitted has ended
     }
 }
 

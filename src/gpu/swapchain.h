@@ -39,6 +39,8 @@ public:
 
     /// Until the device has nothing to do: before what it shows goes.
     void waitUntilIdle() const;
+    /// The same at the end, where there is nothing left to wait for once the device is lost.
+    void waitAtEnd() const noexcept;
 
 private:
     // What one picture in flight uses.

@@ -1,19 +1,18 @@
 // Work on a thread of its own whose result is fetched when it is there: a window does not wait.
 #pragma once
 
+#include "core/cancelled.h"
+
 #include <atomic>
+#include <chrono>
 #include <exception>
 #include <future>
 #include <memory>
 #include <optional>
+#include <stop_token>
 #include <string>
 
 namespace torrance {
-
-/// Thrown by Progress::enter where the work was cancelled.
-struct Cancelled
-{
-};
 
 /// What the thread says of its work, and hears of it.
 class Progress
@@ -22,17 +21,18 @@ public:
     /// The work comes to its part of this number, of all. Throws Cancelled.
     void enter(int part)
     {
-        if (cancelled)
-            throw Cancelled();
+        endWhereStopped(stopToken());
         current = part;
     }
     int part() const { return current; }
-    void cancel() { cancelled = true; }
-    bool isCancelled() const { return cancelled; }
+    void cancel() { stop.request_stop(); }
+    bool isCancelled() const { return stop.stop_requested(); }
+    /// For parts that look themselves whether they were cancelled.
+    std::stop_token stopToken() const { return stop.get_token(); }
 
 private:
     std::atomic<int> current = 0;
-    std::atomic<bool> cancelled = false;
+    std::stop_source stop;
 };
 
 /// At most one piece of work at a time; its end is announced by `announce`, from its thread.
@@ -56,14 +56,24 @@ public:
         });
     }
 
-    bool isRunning() const { return future.valid(); }
+    bool isRunning() const { return future.valid(); } // or its result has not been taken
+    bool isEnded() const
+    {
+        return future.valid() && future.wait_for(std::chrono::seconds(0)) == std::future_status::ready;
+    }
     int part() const { return progress->part(); }
     void cancel() { progress->cancel(); }
+    /// Until the work has ended, where there is some: take() has its result then.
+    void wait() const
+    {
+        if (future.valid())
+            future.wait();
+    }
 
     /// The result, once; nothing while the work goes on, and where it was cancelled. Rethrows what the work threw.
     std::optional<Result> take()
     {
-        if (!future.valid() || future.wait_for(std::chrono::seconds(0)) != std::future_status::ready)
+        if (!isEnded())
             return std::nullopt;
         try {
             Result result = future.get();

@@ -25,6 +25,7 @@ void drawError(const PanelContext& context)
     placeInMiddle(context.unit * 36.0f);
     bool open = true;
     ImGui::Begin("That did not work", &open, kDialog);
+    context.markWindow("dialog.error");
     ImGui::TextWrapped("%s", state.error.c_str());
     ImGui::Spacing();
     if (ImGui::Button("Close"))
@@ -59,17 +60,23 @@ void drawUnsavedQuestion(const PanelContext& context)
         return;
     placeInMiddle(context.unit * 30.0f);
     ImGui::Begin("Unsaved changes", nullptr, kDialog);
-    ImGui::TextWrapped("Materials were changed, and not saved.");
+    context.markWindow("dialog.close");
+    ImGui::TextWrapped("Materials of %s were changed, and not saved.", state.scene->input.c_str());
     ImGui::Spacing();
+    const bool saves = ImGui::Button("Save ...");
+    context.mark("close.save");
+    ImGui::SameLine();
     const bool discards = ImGui::Button("Throw them away");
     context.mark("close.discard");
     ImGui::SameLine();
-    const bool stays = ImGui::Button("Stay");
+    const bool stays = ImGui::Button("Cancel");
     context.mark("close.stay");
     ImGui::End();
+    if (saves)
+        askForSaveBefore(context, *state.unsaved);
     if (discards)
         state.requests.push_back(*state.unsaved);
-    if (discards || stays)
+    if (saves || discards || stays)
         state.unsaved.reset();
 }
 
@@ -81,13 +88,15 @@ void drawHelp(const PanelContext& context)
         {"drag", "turn about the target (left button)"},
         {"right drag, Ctrl+drag", "move across"},
         {"wheel, + and -", "nearer and farther"},
+        {"wheel aside", "turn about the target"},
+        {"Shift+wheel", "move across, both ways"},
         {"arrows", "turn by 5 degrees"},
         {"W A S D", "fly"},
         {"Shift+drag", "turn the environment"},
         {"drag a lamp's mark", "move the lamp"},
         {"click", "select an object and its material"},
         {"double click", "look at what is there"},
-        {"Escape", "close a message; select no object"},
+        {"Escape", "close what is open; select no object"},
         {"F, Shift+F", "frame all, the selected object"},
         {"1 3 7, with Ctrl", "front, right, top; back, left, bottom"},
         {"C", "next camera of the file"},
@@ -100,9 +109,10 @@ void drawHelp(const PanelContext& context)
         {"Tab", "panels on and off"},
         {"?", "this list"},
     };
-    placeInMiddle(context.unit * 32.0f);
-    ImGui::Begin("Keys", &context.state.showHelp, kDialog);
-    if (ImGui::BeginTable("keys", 2)) {
+    placeInMiddle(context.unit * 36.0f);
+    ImGui::Begin("Keys and mouse", &context.state.showHelp, kDialog);
+    context.markWindow("dialog.help");
+    if (ImGui::BeginTable("keys", 2, ImGuiTableFlags_SizingFixedFit)) {
         for (const auto& [key, meaning] : kKeys) {
             ImGui::TableNextColumn();
             ImGui::TextUnformatted(key);
@@ -121,6 +131,7 @@ void drawPlan(const PanelContext& context)
     ImGui::SetNextWindowSize({context.unit * 50.0f, context.unit * 30.0f}, ImGuiCond_Appearing);
     ImGui::SetNextWindowPos({context.unit * 2.0f, context.unit * 3.0f}, ImGuiCond_Appearing);
     ImGui::Begin("Plan", &context.state.showPlan, kDialog);
+    context.markWindow("dialog.plan");
     const std::string text = explain(context.state.scene->plan);
     ImGui::PushTextWrapPos(0.0f);
     ImGui::TextUnformatted(text.c_str(), text.c_str() + text.size());
@@ -132,7 +143,7 @@ void drawPlan(const PanelContext& context)
 
 void drawDialogs(const PanelContext& context)
 {
-    context.browser.draw([&](const std::string& name) { context.mark(name); });
+    context.browser.draw(context);
     drawPlan(context);
     drawHelp(context);
     drawOpening(context);

@@ -1,5 +1,6 @@
 #include "view/file_browser.h"
 
+#include "view/panels.h"
 #include "view/widgets.h"
 
 #include <algorithm>
@@ -67,7 +68,50 @@ void FileBrowser::choose(const std::filesystem::path& path)
     question.chosen(path);
 }
 
-void FileBrowser::draw(const std::function<void(const std::string&)>& mark)
+void FileBrowser::goTo(const std::filesystem::path& path)
+{
+    folder = path;
+    readFolder();
+}
+
+void FileBrowser::drawEntries(const PanelContext& context)
+{
+    for (const Entry& entry : entries) {
+        const bool chosen =
+            ImGui::Selectable((entry.isFolder ? entry.name + "/" : entry.name).c_str(),
+                              question.saves && entry.name == question.name, ImGuiSelectableFlags_AllowDoubleClick);
+        context.mark("browser." + entry.name);
+        if (!chosen)
+            continue;
+        if (entry.isFolder)
+            return goTo(folder / entry.name); // the entries are others now
+        question.name = entry.name;
+        overwrites = false;
+        if (!question.saves || ImGui::IsMouseDoubleClicked(0))
+            return choose(folder / entry.name);
+    }
+}
+
+void FileBrowser::drawName(const PanelContext& context)
+{
+    ImGui::AlignTextToFramePadding();
+    ImGui::TextUnformatted("Name");
+    ImGui::SameLine();
+    ImGui::SetNextItemWidth(-ImGui::GetFontSize() * 8.0f);
+    if (inputWhole("##name", question.name))
+        overwrites = false;
+    const bool entered = ImGui::IsItemDeactivated() && ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_Enter));
+    context.mark("browser.name");
+    ImGui::SameLine();
+    const bool pressed = ImGui::Button(overwrites ? "Replace it" : "Save");
+    context.mark("browser.save");
+    if ((pressed || entered) && !question.name.empty())
+        choose(folder / question.name);
+    if (overwrites)
+        note(question.name + " is there already");
+}
+
+void FileBrowser::draw(const PanelContext& context)
 {
     if (!open)
         return;
@@ -79,55 +123,29 @@ void FileBrowser::draw(const std::function<void(const std::string&)>& mark)
         ImGui::End();
         return;
     }
-    if (ImGui::Button("Up") && folder.has_parent_path()) {
-        folder = folder.parent_path();
-        readFolder();
-    }
+    context.markWindow("dialog.browser");
+    if (ImGui::Button("Up") && folder.has_parent_path())
+        goTo(folder.parent_path());
+    context.mark("browser.up");
     ImGui::SameLine();
     std::string path = folder.string();
     ImGui::SetNextItemWidth(-1.0f);
-    if (inputWhole("##folder", path)) {
-        folder = path;
-        readFolder();
-    }
-    mark("browser.folder");
+    if (inputWhole("##folder", path))
+        goTo(path);
+    context.mark("browser.folder");
     if (!problem.empty())
         note(problem);
     const float below = ImGui::GetFrameHeightWithSpacing() * (question.saves ? 3.0f : 1.5f);
     ImGui::BeginChild("entries", {0.0f, -below}, true);
-    for (const Entry& entry : entries) {
-        if (ImGui::Selectable((entry.isFolder ? entry.name + "/" : entry.name).c_str(), false,
-                              ImGuiSelectableFlags_AllowDoubleClick))
-        {
-            if (entry.isFolder) {
-                folder /= entry.name;
-                readFolder();
-                break; // the entries are others now
-            }
-            question.name = entry.name;
-            overwrites = false;
-            if (!question.saves || ImGui::IsMouseDoubleClicked(0)) {
-                choose(folder / entry.name);
-                break;
-            }
-        }
-        mark("browser." + entry.name);
-    }
+    if (entries.empty() && problem.empty())
+        note("There is nothing here that could be chosen.");
+    drawEntries(context);
     ImGui::EndChild();
-    if (question.saves) {
-        ImGui::SetNextItemWidth(-ImGui::GetFontSize() * 12.0f);
-        if (inputWhole("##name", question.name))
-            overwrites = false;
-        mark("browser.name");
-        ImGui::SameLine();
-        if (ImGui::Button(overwrites ? "Replace it" : "Save") && !question.name.empty())
-            choose(folder / question.name);
-        mark("browser.save");
-        if (overwrites)
-            note(question.name + " is there already");
-    }
+    if (question.saves)
+        drawName(context);
     if (ImGui::Button("Cancel"))
         open = false;
+    context.mark("browser.cancel");
     ImGui::End();
 }
 

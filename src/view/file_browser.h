@@ -8,6 +8,8 @@
 
 namespace torrance {
 
+struct PanelContext;
+
 class FileBrowser
 {
 public:
@@ -23,11 +25,12 @@ public:
     };
     void ask(Question question);
     bool isOpen() const { return open; }
+    void close() { open = false; } // nothing is chosen
 
     void setFolder(const std::filesystem::path& path) { folder = path; }
 
-    /// To be called once for each picture of the window. `mark(name)` notes where an item stands.
-    void draw(const std::function<void(const std::string&)>& mark);
+    /// To be called once for each picture of the window.
+    void draw(const PanelContext& context);
 
 private:
     struct Entry
@@ -35,6 +38,9 @@ private:
         std::string name;
         bool isFolder = false;
     };
+    void drawEntries(const PanelContext& context);
+    void drawName(const PanelContext& context);
+    void goTo(const std::filesystem::path& path);
     void readFolder();
     void choose(const std::filesystem::path& path);
 

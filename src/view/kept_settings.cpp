@@ -4,10 +4,10 @@
 #include "core/error.h"
 #include "core/log.h"
 #include "core/read_file.h"
+#include "core/user_folder.h"
 #include "files/json_parse.h"
 
 #include <algorithm>
-#include <cstdlib>
 #include <functional>
 
 namespace torrance {
@@ -56,11 +56,7 @@ void takeNumber(const JsonView& json, Number& value, double least, double greate
 
 std::filesystem::path userConfigFolder()
 {
-    if (const char* folder = std::getenv("XDG_CONFIG_HOME"); folder && *folder)
-        return std::filesystem::path(folder) / "torrance";
-    if (const char* home = std::getenv("HOME"); home && *home)
-        return std::filesystem::path(home) / ".config" / "torrance";
-    return {};
+    return userFolder("XDG_CONFIG_HOME", ".config");
 }
 
 std::vector<std::string> loadRecent(const std::filesystem::path& configFolder)

@@ -25,7 +25,7 @@ std::vector<std::string> keepRecent(const std::filesystem::path& configFolder, s
 /// What of the window's own is as it was left.
 struct KeptSettings
 {
-    ivec2 windowSize = ivec2(0); // in the desktop's coordinates; 0: none is kept
+    ivec2 windowSize = ivec2(0); // Window::sizeWithoutScale; 0: none is kept
     bool showPanels = true;
     int turntableFrames = 36;
     double tolerance = Tolerance().mean; // that methods are looked for with

@@ -1,6 +1,6 @@
 #include "view/method_search.h"
 
-#include "view/background_task.h"
+#include "core/cancelled.h"
 
 #include <utility>
 

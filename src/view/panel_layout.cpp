@@ -104,6 +104,12 @@ void PanelContext::mark(const std::string& name) const
     places[name] = {first.x, first.y, beyond.x, beyond.y};
 }
 
+void PanelContext::markWindow(const std::string& name) const
+{
+    const ImVec2 first = ImGui::GetWindowPos(), size = ImGui::GetWindowSize();
+    places[name] = {first.x, first.y, first.x + size.x, first.y + size.y};
+}
+
 float drawMenu(const PanelContext& context)
 {
     if (!ImGui::BeginMainMenuBar())

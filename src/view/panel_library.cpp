@@ -4,7 +4,6 @@
 #include <backends/imgui_impl_glfw.h>
 #include <cmath>
 #include <imgui.h>
-#include <set>
 
 namespace torrance {
 namespace {
@@ -14,35 +13,26 @@ constexpr float kFontPixels = 13.0f; // the size for which the built-in font is 
 // Dark, quiet, without rounding that a software rasterizer pays for.
 void setStyle(float scale)
 {
-    ImGui::StyleColorsDark();
     ImGuiStyle& style = ImGui::GetStyle();
+    style = ImGuiStyle(); // what follows scales what is there
+    ImGui::StyleColorsDark();
     style.WindowRounding = 0.0f;
     style.WindowBorderSize = 1.0f;
+    style.AntiAliasedLines = false; // where a unit is two pixels, a border's soft edge would lie on the picture
     style.Colors[ImGuiCol_WindowBg] = {0.11f, 0.11f, 0.12f, 0.98f};
     style.Colors[ImGuiCol_TextDisabled] = {0.65f, 0.65f, 0.66f, 1.0f}; // notes are to be read, too
     style.ScaleAllSizes(scale);
 }
 
-// Whether a key does something to a text other than adding its letter: those with control, and all without a letter but
-// the modifiers themselves.
-bool movesCursor(const Window::KeyEvent& event)
-{
-    const bool modifier = event.key >= GLFW_KEY_LEFT_SHIFT && event.key <= GLFW_KEY_RIGHT_SUPER;
-    return !modifier && (event.key >= GLFW_KEY_ESCAPE || (event.modifiers & GLFW_MOD_CONTROL));
-}
-
 } // namespace
 
-PanelLibrary::PanelLibrary(Window& w) : window(w)
+PanelLibrary::PanelLibrary(Window& w) : window(w), scale(w.scale())
 {
     IMGUI_CHECKVERSION();
     ImGui::CreateContext();
     ImGuiIO& io = ImGui::GetIO();
     io.IniFilename = nullptr; // what is kept is kept by us
-    ImFontConfig font;
-    font.SizePixels = std::round(kFontPixels * window.scale());
-    io.Fonts->AddFontDefault(&font);
-    setStyle(window.scale());
+    makeFonts();
     ImGui_ImplGlfw_InitForVulkan(window.handle, false); // the keyboard's events go through a list of ours
     // The window's own callbacks hear first.
     static GLFWwindowfocusfun focus = nullptr;
@@ -63,6 +53,25 @@ PanelLibrary::PanelLibrary(Window& w) : window(w)
     glfwSetCursorEnterCallback(window.handle, ImGui_ImplGlfw_CursorEnterCallback);
 }
 
+void PanelLibrary::makeFonts()
+{
+    ImFontAtlas& fonts = *ImGui::GetIO().Fonts;
+    fonts.Clear();
+    ImFontConfig font;
+    font.SizePixels = std::round(kFontPixels * scale);
+    fonts.AddFontDefault(&font);
+    setStyle(scale);
+}
+
+bool PanelLibrary::followScale()
+{
+    if (window.scale() == scale)
+        return false;
+    scale = window.scale();
+    makeFonts();
+    return true;
+}
+
 PanelLibrary::~PanelLibrary()
 {
     ImGui_ImplGlfw_Shutdown();
@@ -72,24 +81,16 @@ PanelLibrary::~PanelLibrary()
 std::vector<KeyPress> PanelLibrary::beginPicture()
 {
     std::vector<KeyPress> presses;
-    std::set<int> moving; // keys that moved the cursor
-    while (!window.keyEvents.empty()) {
-        const Window::KeyEvent event = window.keyEvents.front();
-        if (event.character ? !moving.empty() : moving.contains(event.key))
-            break;
-        window.keyEvents.pop_front();
+    for (const KeyEvent& event : takeForOnePicture(window.keyEvents)) {
         if (event.character) {
             ImGui_ImplGlfw_CharCallback(window.handle, event.character);
             continue;
         }
         ImGui_ImplGlfw_KeyCallback(window.handle, event.key, event.scancode, event.action, event.modifiers);
-        if (event.action == GLFW_RELEASE)
-            continue;
-        if (movesCursor(event))
-            moving.insert(event.key);
-        presses.push_back({.key = event.key,
-                           .shift = (event.modifiers & GLFW_MOD_SHIFT) != 0,
-                           .control = (event.modifiers & GLFW_MOD_CONTROL) != 0});
+        if (event.action != GLFW_RELEASE)
+            presses.push_back({.key = event.key,
+                               .shift = (event.modifiers & GLFW_MOD_SHIFT) != 0,
+                               .control = (event.modifiers & GLFW_MOD_CONTROL) != 0});
     }
     ImGui_ImplGlfw_NewFrame();
     ImGui::NewFrame();

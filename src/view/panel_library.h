@@ -22,13 +22,19 @@ public:
     PanelLibrary(const PanelLibrary&) = delete;
     PanelLibrary& operator=(const PanelLibrary&) = delete;
 
-    /// Begins a picture of the panels, in which as much of the window's keyboard counts as version 1.86 can tell apart:
-    /// no key that moves a text's cursor twice, and no text after one. The rest is left for the next picture. What was
-    /// pressed.
+    /// Begins a picture of the panels, in which as much of the window's keyboard counts as one picture can tell apart
+    /// (takeForOnePicture); the rest is left for the next. What was pressed.
     std::vector<KeyPress> beginPicture();
 
+    /// Follows the window's scale: true where the fonts are others now, which have to be uploaded. Between two
+    /// pictures.
+    bool followScale();
+
 private:
+    void makeFonts();
+
     Window& window;
+    float scale;
 };
 
 } // namespace torrance

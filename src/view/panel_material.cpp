@@ -85,7 +85,7 @@ void drawTexture(const PanelContext& context, EditScope& edit, const char* what,
         drawThumbnail(context, use);
     ImGui::BeginGroup();
     ImGui::TextUnformatted(what);
-    if (ImGui::SmallButton(use.used() ? "another" : "choose a picture"))
+    if (ImGui::SmallButton(use.used() ? "another ..." : "choose a picture ..."))
         askForTexture(context, role);
     context.mark(fmt::format("material.choose.{}", what));
     if (use.used()) {
@@ -168,7 +168,7 @@ void drawButtons(const PanelContext& context, EditScope& edit)
     }
     context.mark("material.duplicate");
     ImGui::SameLine();
-    if (ImGui::Button("To a file"))
+    if (ImGui::Button("To a file ..."))
         context.browser.ask({.title = "Save the material",
                              .endings = {".gltf"},
                              .saves = true,
@@ -178,7 +178,7 @@ void drawButtons(const PanelContext& context, EditScope& edit)
                              }});
     context.mark("material.toFile");
     ImGui::SameLine();
-    if (ImGui::Button("From a file"))
+    if (ImGui::Button("From a file ..."))
         context.browser.ask({.title = "Take over a material; textures are kept",
                              .endings = {".gltf", ".glb"},
                              .saves = false,

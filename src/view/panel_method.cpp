@@ -88,7 +88,7 @@ void choosePath(const PanelContext& context)
 {
     ViewerState& state = context.state;
     int chosen = state.settings.path ? static_cast<int>(*state.settings.path) + 1 : 0;
-    std::vector<std::string> names = {"as the plan has it"};
+    std::vector<std::string> names = {"by the plan"};
     for (const RenderPath path :
          {RenderPath::forward, RenderPath::prepass, RenderPath::attributes, RenderPath::deferred})
         names.emplace_back(nameOf(path));

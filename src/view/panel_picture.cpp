@@ -6,6 +6,8 @@
 namespace torrance {
 namespace {
 
+constexpr int kMostSamples = 64; // that a slider can be set to pixel by pixel; the command line takes more
+
 template <typename Curve>
 bool chooseCurve(const PanelContext& context, const char* label, std::span<const Curve> curves, const Curve*& chosen)
 {
@@ -35,12 +37,12 @@ void chooseBackground(const PanelContext& context)
 void drawComparison(const PanelContext& context)
 {
     ViewerState& state = context.state;
-    if (ImGui::Button("Keep this picture"))
+    if (ImGui::Button("Keep it to compare"))
         state.requests.push_back(KeepPicture{});
     context.mark("picture.keep");
     tipOfItem("To compare it with what follows: other methods, other materials.");
     ImGui::SameLine();
-    if (ImGui::Button("Compare with a file"))
+    if (ImGui::Button("Compare with a file ..."))
         askForComparison(context);
     context.mark("picture.compare");
     if (state.compared.empty())
@@ -64,13 +66,16 @@ void drawPicturePanel(const PanelContext& context)
     context.mark("picture.tone");
     state.moved |= chooseCurve(context, "transfer", allTransferCurves(), state.write.transfer);
     chooseBackground(context);
-    ImGui::SliderInt("samples of a file", &state.fileSamples, 1, 64);
+    ImGui::SliderInt("samples when saved", &state.fileSamples, 1, kMostSamples, "%d", ImGuiSliderFlags_AlwaysClamp);
     context.mark("picture.samples");
     tipOfItem("Per pixel, of pictures that are saved; the window draws one.");
+    if (ImGui::Button("Save the picture ..."))
+        askForPicture(context);
+    context.mark("picture.save");
     ImGui::SliderInt("turntable frames", &state.kept.turntableFrames, kLeastTurntableFrames, kMostTurntableFrames, "%d",
                      ImGuiSliderFlags_AlwaysClamp);
     context.mark("picture.frames");
-    if (ImGui::Button("Save a turntable"))
+    if (ImGui::Button("Save a turntable ..."))
         askForTurntable(context);
     context.mark("picture.turntable");
     drawComparison(context);

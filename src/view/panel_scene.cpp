@@ -69,7 +69,7 @@ void drawScenePanel(const PanelContext& context)
                 scene.scene().materials.size());
     if (!scene.bounds.empty) {
         const dvec3 size = scene.bounds.max - scene.bounds.min;
-        ImGui::Text("%.3g x %.3g x %.3g", size.x, size.y, size.z);
+        ImGui::Text("size %.3g x %.3g x %.3g", size.x, size.y, size.z);
     }
     for (const std::string& warning : scene.loaded.warnings)
         note(warning);

@@ -28,6 +28,8 @@ struct PanelContext
 
     /// Notes where the last item stands.
     void mark(const std::string& name) const;
+    /// The same of the whole panel or dialog that is being made.
+    void markWindow(const std::string& name) const;
 };
 
 /// The menu bar; its height.
@@ -45,6 +47,8 @@ void askForEnvironment(const PanelContext& context);
 void askForComparison(const PanelContext& context);
 void askForPicture(const PanelContext& context);
 void askForSave(const PanelContext& context);
+/// The same, and then what was asked for before, which had to wait for it.
+void askForSaveBefore(const PanelContext& context, const Request& waiting);
 void askForTurntable(const PanelContext& context);
 
 void drawScenePanel(const PanelContext& context);

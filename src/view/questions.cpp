@@ -2,6 +2,7 @@
 #include "view/file_browser.h"
 #include "view/panels.h"
 
+#include <algorithm>
 #include <filesystem>
 
 namespace torrance {
@@ -10,6 +11,16 @@ namespace {
 std::string stemOf(const ViewerState& state)
 {
     return std::filesystem::path(state.scene->input).stem().string();
+}
+
+const std::vector<std::string> kSavable = {".gltf", ".glb"};
+
+// The scene's own file, where it can be saved to that; else one that holds all of it.
+std::string nameToSave(const ViewerState& state)
+{
+    const std::filesystem::path file = std::filesystem::path(state.scene->input).filename();
+    const bool savable = std::ranges::find(kSavable, file.extension().string()) != kSavable.end();
+    return savable ? file.string() : stemOf(state) + ".glb";
 }
 
 const std::vector<std::string> kPictures = {".png", ".exr", ".jpg", ".webp", ".hdr"};
@@ -62,8 +73,20 @@ void askForTurntable(const PanelContext& context)
 
 void askForSave(const PanelContext& context)
 {
-    ask<SaveScene>(context, "Save the scene", {".gltf", ".glb"},
-                   std::filesystem::path(context.state.scene->input).filename().string());
+    ask<SaveScene>(context, "Save the scene", kSavable, nameToSave(context.state));
+}
+
+void askForSaveBefore(const PanelContext& context, const Request& waiting)
+{
+    ViewerState& state = context.state;
+    context.browser.ask({.title = "Save the scene",
+                         .endings = kSavable,
+                         .saves = true,
+                         .name = nameToSave(state),
+                         .chosen = [&state, waiting](const std::filesystem::path& path) {
+                             state.requests.push_back(SaveScene{path.string()});
+                             state.afterSaving = askedAgain(waiting);
+                         }});
 }
 
 } // namespace torrance

@@ -27,7 +27,12 @@ void putMaterials(const Edits& edits, Scene& scene)
 SceneToSave sceneToSave(const EditHistory& history, const Scene& scene,
                         const std::vector<std::filesystem::path>& pictures)
 {
-    SceneToSave result = {.original = scene, .edited = scene, .duplicateOf = history.now().duplicateOf, .pictures = {}};
+    SceneToSave result = {.input = {},
+                          .sourceCopy = {},
+                          .original = scene,
+                          .edited = scene,
+                          .duplicateOf = history.now().duplicateOf,
+                          .pictures = {}};
     putMaterials(history.loaded(), result.original);
     putMaterials(history.now(), result.edited);
     const std::size_t images = scene.images.size() - pictures.size();

@@ -4,13 +4,16 @@
 #include "view/edits.h"
 
 #include <filesystem>
+#include <string>
 #include <vector>
 
 namespace torrance {
 
 struct SceneToSave
 {
-    Scene original; // as its file was read
+    std::string input;                // as SceneOnDevice has it
+    std::filesystem::path sourceCopy; // what its file held when it was read, once that is written over; else empty
+    Scene original;                   // as its file was read
     Scene edited;
     std::vector<int> duplicateOf;                // by the materials that `edited` has beyond `original`
     std::vector<std::filesystem::path> pictures; // of the images that `edited` has beyond `original`

@@ -3,12 +3,18 @@
 #include "scene/camera_view.h"
 
 namespace torrance {
+namespace {
+
+constexpr const Camera* kAnyCamera = nullptr;
+
+} // namespace
 
 std::unique_ptr<SceneOnDevice> putOnDevice(Renderer& renderer, LoadedScene loaded, const std::string& input,
                                            const Settings& settings, Progress& progress)
 {
     auto result = std::make_unique<SceneOnDevice>();
     result->input = input;
+    result->source = std::make_shared<SceneSource>(input);
     result->loaded = std::move(loaded);
     result->bounds = worldBounds(result->scene());
     progress.enter(kPlanning);
@@ -17,7 +23,10 @@ std::unique_ptr<SceneOnDevice> putOnDevice(Renderer& renderer, LoadedScene loade
         result->rayOrigin = 0.5 * (result->bounds.min + result->bounds.max);
     result->rays = std::make_unique<RayCaster>(result->scene(), result->rayOrigin);
     progress.enter(kUploading);
-    result->device = std::make_unique<DeviceScene>(renderer.upload(result->scene(), result->plan));
+    const std::stop_token stop = progress.stopToken();
+    const TexelsRead asksBetweenTextures = [&](int) { endWhereStopped(stop); };
+    result->device =
+        std::make_unique<DeviceScene>(renderer.upload(result->scene(), result->plan, kAnyCamera, asksBetweenTextures));
     return result;
 }
 

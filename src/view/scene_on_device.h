@@ -6,6 +6,7 @@
 #include "reference/ray_caster.h"
 #include "scene/camera_fit.h"
 #include "view/background_task.h"
+#include "view/scene_source.h"
 
 #include <memory>
 #include <string>
@@ -14,7 +15,8 @@ namespace torrance {
 
 struct SceneOnDevice
 {
-    std::string input; // as it was named: a file, or a built-in scene
+    std::string input;                   // as it was named: a file, or a built-in scene
+    std::shared_ptr<SceneSource> source; // shared with what saves it meanwhile
     LoadedScene loaded;
     Bounds bounds;
     ShadingPlan plan;
@@ -39,7 +41,8 @@ enum OpeningPart
     kOpeningParts,
 };
 
-/// Plans and uploads a scene that was read, beside whatever the renderer draws meanwhile.
+/// Plans and uploads a scene that was read, beside whatever the renderer draws meanwhile. Throws Cancelled at the next
+/// part, or after the next texture.
 std::unique_ptr<SceneOnDevice> putOnDevice(Renderer& renderer, LoadedScene loaded, const std::string& input,
                                            const Settings& settings, Progress& progress);
 

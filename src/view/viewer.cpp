@@ -1,6 +1,7 @@
 #include "view/viewer.h"
 
 #include "core/error.h"
+#include "gpu/guard.h"
 #include "passes/targets.h"
 #include "plan/pixel_sampling_plan.h"
 #include "scene/default_view.h"
@@ -75,7 +76,7 @@ Viewer::Viewer(ViewerHost h)
 
 Viewer::~Viewer()
 {
-    swapchain.waitUntilIdle();
+    swapchain.waitAtEnd();
 }
 
 void Viewer::openFirst()
@@ -85,6 +86,18 @@ void Viewer::openFirst()
 }
 
 void Viewer::run()
+{
+    try {
+        gpu::guarded(device, [this] { showUntilClosed(); });
+    } catch (const Error& error) {
+        throw Error(error.exitCode, error.what() + keepUnsaved());
+    }
+    state.kept.windowSize = window.sizeWithoutScale();
+    if (state.kept != kept)
+        keepSettings(host.configFolder, state.kept);
+}
+
+void Viewer::showUntilClosed()
 {
     while (!state.closes) {
         waitForEvents();
@@ -115,9 +128,6 @@ void Viewer::run()
         showPicture();
         report();
     }
-    state.kept.windowSize = window.size();
-    if (state.kept != kept)
-        keepSettings(host.configFolder, state.kept);
 }
 
 void Viewer::waitForEvents()
@@ -167,8 +177,9 @@ void Viewer::takeDropped()
 
 void Viewer::takeWatched()
 {
+    // While a scene is saved, a change of its file is ours.
     for (WatchedFile& file : watched)
-        if (file.takeChange() && state.scene)
+        if (!saveTask.isRunning() && file.takeChange() && state.scene)
             state.requests.push_back(OpenScene{state.scene->input, true});
     if (watchedShaders && watchedShaders->takeChange())
         state.requests.push_back(ReloadShaders{});
@@ -221,6 +232,11 @@ OrbitPose& Viewer::freeCamera()
 
 void Viewer::buildPanels()
 {
+    if (panelLibrary.followScale()) {
+        swapchain.waitUntilIdle(); // the old letters may still be shown
+        panelRenderer.uploadFonts();
+        settling = kSettlingPictures;
+    }
     const std::vector<KeyPress> presses = panelLibrary.beginPicture();
     places.clear();
     const PanelContext context = {state, host, browser, thumbnails, panoramas, places, ImGui::GetFontSize()};

@@ -35,7 +35,8 @@ public:
     explicit Viewer(ViewerHost host);
     ~Viewer();
 
-    /// Until it is closed.
+    /// Until it is closed. Where the device fails, an Error (deviceFailure), which says what became of edits that were
+    /// not saved: they are kept in a file of their own.
     void run();
 
     std::vector<std::string> validationMessages() const { return device.validationMessages(); }
@@ -54,7 +55,8 @@ private:
     };
     struct SavedScene
     {
-        std::string source, file;
+        std::shared_ptr<SceneSource> source;
+        std::string file;
         Edits edits; // that are in it
     };
     // The part of the window where the picture is, in its pixels.
@@ -64,12 +66,15 @@ private:
         ivec2 size = ivec2(1);
     };
 
+    void showUntilClosed();
+    std::string keepUnsaved();
     Settings effectiveSettings() const;
     void openFirst();
     void waitForEvents();
     void takeResults();
     void takeEnvironment();
     void takeSaved();
+    SceneToSave toSave() const;
     void startReadingEnvironment(const EnvironmentChoice& choice);
     void takeDropped();
     void takeWatched();
@@ -102,6 +107,7 @@ private:
     void handleKeys(const std::vector<KeyPress>& presses);
     void handleCameraKey(const KeyPress& press);
     void handleControlKey(const KeyPress& press);
+    bool closeDialog();
     void frameAll();
     void frameSelection();
     void nextFileCamera();

@@ -13,6 +13,7 @@
 #include <filesystem>
 #include <functional>
 #include <optional>
+#include <stop_token>
 #include <string>
 #include <vector>
 
@@ -21,15 +22,16 @@ namespace torrance {
 struct ViewerHost
 {
     // All may throw Error; the first two are called from other threads.
-    std::function<LoadedScene(const std::string& input)> loadScene; // lit as the command line says, without environment
+    // Lit as the command line says, without environment. Throws Cancelled where a stop was asked for.
+    std::function<LoadedScene(const std::string& input, const std::stop_token&)> loadScene;
     std::function<std::optional<Environment>(const EnvironmentChoice&)> loadEnvironment;
     std::function<Camera(const Scene&, double aspect)> firstCamera; // of the camera options
     std::function<void(const std::string& file, Picture, const Settings&, const WriteSettings&)> writePicture;
 
     /// The lamp that a preset brings to scenes without a light; nothing for most.
     std::function<std::optional<Light>(const brdf::Preset&)> lampOf;
-    /// Writes the file `source` anew with the materials of a scene that was read from it.
-    std::function<void(const std::string& source, const SceneToSave& scene, const std::string& target)> saveScene;
+    /// Writes what a scene was read from anew, with its materials. Called from another thread.
+    std::function<void(const SceneToSave& scene, const std::string& target)> saveScene;
 
     /// What methods are chosen from. Throws Error.
     std::function<MethodTable(const gpu::DeviceDescription&)> methodTable;
@@ -49,6 +51,7 @@ struct ViewerHost
     bool watch = false;                 // scene and shaders are read again when they change
     std::filesystem::path cacheFolder;  // empty: none
     std::filesystem::path configFolder; // of settings that are kept; empty: none are
+    std::filesystem::path stateFolder;  // of edits that could not be saved; empty: none are kept
     std::filesystem::path shaderFolder;
     std::string report; // JSON of what the window shows, written when it changes; empty: none
 };

@@ -2,6 +2,7 @@
 #include "view/viewer.h"
 
 #include "scene/camera_view.h"
+#include "view/camera_steps.h"
 #include "view/lamp_turning.h"
 #include "view/screen_place.h"
 
@@ -14,7 +15,6 @@ namespace torrance {
 namespace {
 
 constexpr double kDegreesAcross = 180.0; // that a drag over the whole height turns by
-constexpr double kKeyDegrees = 5.0, kKeyStep = 0.05, kWheelStep = 1.1;
 constexpr double kLongestTurn =
     0.25; // seconds of a lamp's way in one picture: after a pause it goes on, and does not jump
 constexpr float kClickPixels = 4.0f; // a mouse that moved less has not been dragged
@@ -140,8 +140,8 @@ void Viewer::handleMouse()
         return;
     if (ImGui::IsMouseDoubleClicked(0))
         pickAt(place, true);
-    if (io.MouseWheel != 0.0f)
-        dolly(freeCamera(), std::pow(kWheelStep, -double(io.MouseWheel)), diagonalOf(state.scene->bounds));
+    if (io.MouseWheel != 0.0f || io.MouseWheelH != 0.0f)
+        scroll(freeCamera(), {io.MouseWheelH, io.MouseWheel}, io.KeyShift, diagonalOf(state.scene->bounds));
 }
 
 void Viewer::handleCameraKey(const KeyPress& press)
@@ -173,27 +173,27 @@ void Viewer::handleCameraKey(const KeyPress& press)
     case GLFW_KEY_C:
         return nextFileCamera();
     case GLFW_KEY_LEFT:
-        return orbit(freeCamera(), -kKeyDegrees, 0.0);
+        return orbit(freeCamera(), -kTurnStep, 0.0);
     case GLFW_KEY_RIGHT:
-        return orbit(freeCamera(), kKeyDegrees, 0.0);
+        return orbit(freeCamera(), kTurnStep, 0.0);
     case GLFW_KEY_UP:
-        return orbit(freeCamera(), 0.0, -kKeyDegrees);
+        return orbit(freeCamera(), 0.0, -kTurnStep);
     case GLFW_KEY_DOWN:
-        return orbit(freeCamera(), 0.0, kKeyDegrees);
+        return orbit(freeCamera(), 0.0, kTurnStep);
     case GLFW_KEY_W:
-        return fly(freeCamera(), kKeyStep, 0.0);
+        return fly(freeCamera(), kFlyStep, 0.0);
     case GLFW_KEY_S:
-        return fly(freeCamera(), -kKeyStep, 0.0);
+        return fly(freeCamera(), -kFlyStep, 0.0);
     case GLFW_KEY_D:
-        return fly(freeCamera(), 0.0, kKeyStep);
+        return fly(freeCamera(), 0.0, kFlyStep);
     case GLFW_KEY_A:
-        return fly(freeCamera(), 0.0, -kKeyStep);
+        return fly(freeCamera(), 0.0, -kFlyStep);
     case GLFW_KEY_EQUAL:
     case GLFW_KEY_KP_ADD:
-        return dolly(freeCamera(), 1.0 / kWheelStep, diagonal);
+        return dolly(freeCamera(), 1.0 / kDollyStep, diagonal);
     case GLFW_KEY_MINUS:
     case GLFW_KEY_KP_SUBTRACT:
-        return dolly(freeCamera(), kWheelStep, diagonal);
+        return dolly(freeCamera(), kDollyStep, diagonal);
     default:
         return;
     }
@@ -233,6 +233,22 @@ void Viewer::nextFileCamera()
     state.moved = true;
 }
 
+// The one in front; false where none is open.
+bool Viewer::closeDialog()
+{
+    if (!state.error.empty())
+        state.error.clear();
+    else if (state.unsaved)
+        state.unsaved.reset();
+    else if (browser.isOpen())
+        browser.close();
+    else if (state.showHelp || state.showPlan)
+        state.showHelp = state.showPlan = false;
+    else
+        return false;
+    return true;
+}
+
 void Viewer::handleKeys(const std::vector<KeyPress>& presses)
 {
     const ImGuiIO& io = ImGui::GetIO();
@@ -246,11 +262,10 @@ void Viewer::handleKeys(const std::vector<KeyPress>& presses)
             handleControlKey(press);
         else if (press.key == GLFW_KEY_TAB)
             state.kept.showPanels = !state.kept.showPanels;
-        else if (press.key == GLFW_KEY_ESCAPE && state.error.empty())
-            state.selectedInstance = -1;
-        else if (press.key == GLFW_KEY_ESCAPE)
-            state.error.clear();
-        else if (press.key == GLFW_KEY_R)
+        else if (press.key == GLFW_KEY_ESCAPE) {
+            if (!closeDialog())
+                state.selectedInstance = -1;
+        } else if (press.key == GLFW_KEY_R)
             state.requests.push_back(ReloadShaders{});
         else if (press.key == GLFW_KEY_F5 && state.scene)
             state.requests.push_back(OpenScene{state.scene->input, true});

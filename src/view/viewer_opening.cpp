@@ -57,7 +57,7 @@ void Viewer::handle(const OpenScene& request)
         known = state.scene->scene().environment;
     sceneTask.start([this, request, choice, first, known = std::move(known),
                      settings = effectiveSettings()](Progress& progress) mutable {
-        LoadedScene loaded = host.loadScene(request.input);
+        LoadedScene loaded = host.loadScene(request.input, progress.stopToken());
         loaded.scene.environment = first ? host.loadEnvironment(choice) : std::move(known);
         return OpenedScene{putOnDevice(renderer, std::move(loaded), request.input, settings, progress), choice,
                            request.keepsView};

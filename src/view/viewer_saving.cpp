@@ -2,8 +2,10 @@
 #include "view/viewer.h"
 
 #include "core/error.h"
+#include "core/log.h"
 #include "files/material_file.h"
 #include "plan/pixel_sampling_plan.h"
+#include "view/recovery.h"
 #include "view/render_command.h"
 #include "view/saved_scene.h"
 
@@ -69,25 +71,66 @@ void Viewer::handle(const SaveScene& request)
     if (saveTask.isRunning())
         throw usageError("a scene is being saved", "save again when that is done");
     state.notice = "saving " + request.file;
-    saveTask.start([this, source = state.scene->input, file = request.file, edits = state.history->now(),
-                    scene = sceneToSave(*state.history, state.scene->scene(), state.pictures)](Progress&) mutable {
-        host.saveScene(source, scene, file);
+    saveTask.start([this, source = state.scene->source, file = request.file, edits = state.history->now(),
+                    scene = toSave()](Progress&) mutable {
+        const auto write = [&](const std::filesystem::path& copy) {
+            scene.sourceCopy = copy;
+            host.saveScene(scene, file);
+        };
+        source->isFile(file) ? source->writeOver(write) : write(source->copy());
         return SavedScene{source, file, std::move(edits)};
     });
 }
 
+SceneToSave Viewer::toSave() const
+{
+    SceneToSave scene = sceneToSave(*state.history, state.scene->scene(), state.pictures);
+    scene.input = state.scene->input;
+    return scene;
+}
+
 void Viewer::takeSaved()
 {
+    if (!saveTask.isEnded())
+        return;
+    const std::optional<Request> waiting = std::exchange(state.afterSaving, std::nullopt); // not where saving fails
     const std::optional<SavedScene> saved = saveTask.take();
     if (!saved)
         return;
     state.notice = "saved " + saved->file;
-    if (!state.scene || saved->source != state.scene->input)
+    if (waiting)
+        state.requests.push_back(*waiting);
+    if (!state.scene || saved->source != state.scene->source)
         return; // another was opened meanwhile
     state.history->markSaved(saved->edits);
-    if (std::filesystem::weakly_canonical(saved->file) == std::filesystem::weakly_canonical(saved->source))
-        state.requests.push_back(
-            OpenScene{saved->source, true}); // what is edited from now on is an edit of the new file
+    for (WatchedFile& file : watched)
+        file.takeChange(); // of our own making
+}
+
+// What became of edits that no file has, as the rest of a message; empty where there are none.
+std::string Viewer::keepUnsaved()
+{
+    if (!state.history)
+        return {};
+    state.history->commit(state.edits()); // a slider may still be held
+    saveTask.wait();
+    try {
+        takeSaved();
+    } catch (const Error& error) {
+        logWarning(error.what());
+    }
+    if (!state.history->isDirty())
+        return {};
+    try {
+        const std::filesystem::path file = recoveryFile(host.stateFolder, state.scene->input);
+        SceneToSave scene = toSave();
+        scene.sourceCopy = state.scene->source->copy();
+        host.saveScene(scene, file.string());
+        keepRecent(host.configFolder, state.recent, file.string());
+        return "; the changes that were not saved are in " + file.string();
+    } catch (const Error& error) {
+        return std::string("; the changes that were not saved are lost: ") + error.what();
+    }
 }
 
 void Viewer::handle(const SaveMaterial& request)

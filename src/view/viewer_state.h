@@ -92,6 +92,18 @@ using Request =
     std::variant<OpenScene, OpenEnvironment, SavePicture, SaveScene, KeepPicture, OpenPicture, SaveTurntable,
                  OpenTexture, SaveMaterial, OpenMaterial, ReloadShaders, FindMethods, StopFinding, CopyCommand, Quit>;
 
+/// The same once the changes were saved: others may have been made since.
+inline Request askedAgain(Request request)
+{
+    std::visit(
+        [](auto& r) {
+            if constexpr (requires { r.discards; })
+                r.discards = false;
+        },
+        request);
+    return request;
+}
+
 /// Panoramas are environments, anything else is a scene.
 inline Request openingOf(const std::filesystem::path& file)
 {
@@ -139,6 +151,7 @@ struct ViewerState
     bool probes = false;                  // a click looks into a pixel, and selects nothing
     std::optional<PixelProbe> probe;      // the last; gone when the picture changes
     std::optional<Request> unsaved;       // what was asked for while there are changes that were not saved: asked again
+    std::optional<Request> afterSaving;   // the same, once they are
     bool closes = false;
 
     const Edits& edits() const { return history->shown(); }

@@ -52,6 +52,8 @@ Window::Window(const std::string& title, const ivec2& size)
     glfwSetScrollCallback(handle, [](GLFWwindow* window, double, double) { of(window); });
     glfwSetWindowFocusCallback(handle, [](GLFWwindow* window, int) { of(window); });
     glfwSetWindowRefreshCallback(handle, [](GLFWwindow* window) { of(window); });
+    glfwSetFramebufferSizeCallback(handle, [](GLFWwindow* window, int, int) { of(window); });
+    glfwSetWindowContentScaleCallback(handle, [](GLFWwindow* window, float, float) { of(window); });
     glfwSetDropCallback(handle, [](GLFWwindow* window, int count, const char** paths) {
         Window& self = of(window);
         self.dropped.insert(self.dropped.end(), paths, paths + count);
@@ -93,6 +95,13 @@ ivec2 Window::size() const
     ivec2 size;
     glfwGetWindowSize(handle, &size.x, &size.y);
     return size;
+}
+
+ivec2 Window::sizeWithoutScale() const
+{
+    // Where a pixel is a unit of the desktop's, GLFW has made the window larger by the scale (GLFW_SCALE_TO_MONITOR).
+    const float scaledBy = size() == pixels() ? scale() : 1.0f;
+    return ivec2(glm::round(vec2(size()) / scaledBy));
 }
 
 ivec2 Window::pixels() const

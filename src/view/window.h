@@ -3,6 +3,7 @@
 
 #include "gpu/device.h"
 #include "math/vector.h"
+#include "view/key_events.h"
 
 #include <array>
 #include <deque>
@@ -28,9 +29,10 @@ public:
     std::vector<std::string> extensions() const;
     vk::raii::SurfaceKHR makeSurface(const gpu::Device& device) const;
 
-    ivec2 size() const;   // of its inside, in the desktop's coordinates
-    ivec2 pixels() const; // of its inside; 0 while it is minimised
-    float scale() const;  // of text: 1 at 96 dots an inch
+    ivec2 size() const;             // of its inside, in the desktop's coordinates
+    ivec2 sizeWithoutScale() const; // the same as the constructor takes it: some desktops' coordinates are scaled
+    ivec2 pixels() const;           // of its inside; 0 while it is minimised
+    float scale() const; // of text: 1 at 96 dots an inch; another where the window is moved to another screen
 
     /// Handles what has happened; with `wait`, not before something has, or wake() was called.
     void handleEvents(bool wait);
@@ -41,16 +43,7 @@ public:
 
     void setTitle(const std::string& title);
 
-    /// What the keyboard did, in its order. In a picture that takes long a press and its end can both lie, so that what
-    /// is down at its beginning says too little: whoever takes the events decides how many one picture can take.
-    struct KeyEvent
-    {
-        int key = 0; // GLFW_KEY_..., or
-        unsigned character = 0;
-        int scancode = 0;
-        int action = 0;    // GLFW_PRESS, ...
-        int modifiers = 0; // GLFW_MOD_...
-    };
+    /// What the keyboard did, in its order: whoever takes the events decides how many one picture can take.
     std::deque<KeyEvent> keyEvents;
 
     /// Whether something has happened since the last call.

@@ -10,6 +10,7 @@
 #include "files/gltf_save.h"
 #include "gpu/driver_environment.h"
 #include "view/kept_settings.h"
+#include "view/recovery.h"
 #include "view/viewer.h"
 
 namespace torrance {
@@ -30,13 +31,17 @@ void write(const std::string& file, Picture picture, const Settings& settings, c
     writePicture(file, picture.color, {}, curves);
 }
 
-void save(const SceneOptions& options, const std::string& source, const SceneToSave& scene, const std::string& target)
+void save(const SceneOptions& options, const SceneToSave& scene, const std::string& target)
 {
     if (!options.primitive.empty())
         throw usageError("a shape comes from no file that its material could be saved to", "open a glTF file");
-    const GltfSaveOptions how = {
-        .load = loadOptions(options), .pictures = scene.pictures, .duplicateOf = scene.duplicateOf};
-    for (const std::string& remark : saveGltf(sceneFile(source), scene.original, scene.edited, target, how))
+    const std::filesystem::path own = sceneFile(scene.input);
+    const bool fromCopy = !scene.sourceCopy.empty();
+    GltfSaveOptions how = {.load = loadOptions(options), .pictures = scene.pictures, .duplicateOf = scene.duplicateOf};
+    if (fromCopy)
+        how.load.readAs = own;
+    for (const std::string& remark :
+         saveGltf(fromCopy ? scene.sourceCopy : own, scene.original, scene.edited, target, how))
         logWarning(remark);
 }
 
@@ -57,8 +62,8 @@ ViewerHost makeHost(const WindowOptions& options, const GlobalOptions& global)
         throw usageError("a window shows one scene, and " + std::to_string(host.inputs.size()) + " are named",
                          "name one; others can be dropped on the window");
     const brdf::Preset methods = host.settings.methods;
-    host.loadScene = [&options, methods](const std::string& input) {
-        return loadLitScene(options.scene, options.light, methods, std::nullopt, input);
+    host.loadScene = [&options, methods](const std::string& input, const std::stop_token& stop) {
+        return loadLitScene(options.scene, options.light, methods, std::nullopt, input, stop);
     };
     host.loadEnvironment = [methods](const EnvironmentChoice& choice) { return load(choice, methods); };
     host.firstCamera = [&options](const Scene& scene, double aspect) {
@@ -66,8 +71,8 @@ ViewerHost makeHost(const WindowOptions& options, const GlobalOptions& global)
     };
     host.writePicture = write;
     host.lampOf = presetLamp;
-    host.saveScene = [&options](const std::string& source, const SceneToSave& scene, const std::string& target) {
-        save(options.scene, source, scene, target);
+    host.saveScene = [&options](const SceneToSave& scene, const std::string& target) {
+        save(options.scene, scene, target);
     };
     host.methodTable = [&options](const gpu::DeviceDescription& device) {
         return loadMethodTable(options.methods, device, true).table;
@@ -90,6 +95,7 @@ ViewerHost makeHost(const WindowOptions& options, const GlobalOptions& global)
     host.watch = options.watch;
     host.cacheFolder = cacheFolder(global);
     host.configFolder = userConfigFolder();
+    host.stateFolder = userStateFolder();
     host.shaderFolder = dataFolder() / "shaders";
     host.report = options.report;
     return host;

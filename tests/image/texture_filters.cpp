@@ -114,11 +114,11 @@ TEST(TextureFilters, EveryFilterIsItsFormula)
             std::size_t compared = 0;
             for (int y = 0; y < kSize; ++y)
                 for (int x = 0; x < kSize; ++x) {
-                    if (estimators.front()->pilot(x, y).covered < 1.0)
-                        continue;
+                    if (estimators.front()->estimate(x, y, 0.0).covered < 1.0 || pixelOf(picture, x, y).a < 1.0)
+                        continue; // part of the pixel sees no texture
                     std::vector<dvec4> colors;
                     for (const auto& estimator : estimators)
-                        colors.push_back(estimator->pilot(x, y).color);
+                        colors.push_back(estimator->estimate(x, y, 0.0).color);
                     worst = std::max(worst, excess(colors, pixelOf(picture, x, y)));
                     ++compared;
                 }

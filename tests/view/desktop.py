@@ -62,16 +62,18 @@ def set_dots_per_inch(screen, dots):
 class Window:
     """`torrance view`, and what it says of itself by --report."""
 
-    def __init__(self, program, screen, arguments, folder, validation=True):
+    def __init__(self, program, screen, arguments, folder, validation=True, **environment):
         self.screen = screen
         self.folder = Path(folder)
         self.report_file = self.folder / "report.json"
         self.report_file.unlink(missing_ok=True)  # of a window before
-        self.environment = dict(os.environ, DISPLAY=screen.display, XDG_CONFIG_HOME=str(self.folder / "config"))
+        self.environment = dict(os.environ, DISPLAY=screen.display, XDG_CONFIG_HOME=str(self.folder / "config"),
+                                XDG_STATE_HOME=str(self.folder / "state"), **environment)
         self.errors = open(self.folder / "stderr", "w+")
         command = [program, "view", *map(str, arguments), "--report", str(self.report_file)]
         self.process = subprocess.Popen(command + ["--validation"] * validation, env=self.environment, stderr=self.errors)
         self.id = None
+        self.unit = 1  # pixels of the desktop's unit
 
     def run_tool(self, *arguments):
         return subprocess.run(["xdotool", *map(str, arguments)], env=self.environment, check=True, text=True,
@@ -119,6 +121,8 @@ class Window:
         raise AssertionError("the window does not come to rest")
 
     def key(self, *names):
+        """Presses one after the other. GLFW takes two presses of the same key within a millisecond as one (an input
+        method's echo): what must not be lost is pressed key by key, or is text."""
         self.run_tool("key", "--window", 0, *names)
 
     def type(self, text):
@@ -139,7 +143,7 @@ class Window:
             same = same + 1 if now == last else 0
             last = now
             time.sleep(0.15)
-        left, top, right, bottom = now
+        left, top, right, bottom = [self.unit * side for side in now]
         return (left + right) / 2, (top + bottom) / 2
 
     def click(self, name_or_place, button=1, count=1):

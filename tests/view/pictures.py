@@ -18,6 +18,13 @@ class Picture:
         rows = (self.codes[3 * ((y + r) * self.width + x):3 * ((y + r) * self.width + x + width)] for r in range(height))
         return Picture(width, height, b"".join(rows))
 
+    def fill(self, left, top, right, bottom):
+        """Makes a part black."""
+        codes = bytearray(self.codes)
+        for y in range(top, bottom):
+            codes[3 * (y * self.width + left):3 * (y * self.width + right)] = bytes(3 * (right - left))
+        self.codes = bytes(codes)
+
     def worst_difference(self, other):
         """The greatest difference of two codes, and how many differ."""
         assert (self.width, self.height) == (other.width, other.height)

@@ -63,6 +63,36 @@ TEST(GltfSaveFiles, SaveOverTheirSource)
     EXPECT_EQ(loadScene(path).scene.materials.at(0).metallicFactor, 0.75);
 }
 
+// However often a file is written over: each time from what it was, which lies somewhere else.
+TEST(GltfSaveFiles, AreWrittenOverFromACopyOfWhatTheyWere)
+{
+    const TestFolder folder, elsewhere;
+    const fs::path path = writeText(folder, "model.gltf");
+    const fs::path copy = elsewhere.path / "model.gltf";
+    fs::copy_file(path, copy);
+    LoadOptions ofCopy;
+    ofCopy.readAs = path;
+    const Scene original = loadScene(path).scene;
+    EXPECT_EQ(loadScene(copy, ofCopy).scene.images.size(), original.images.size()) << "from beside the path it had";
+    Scene edited = original;
+    roughen(edited);
+    const GltfSaveOptions fromCopy = {.load = ofCopy, .pictures = {}, .duplicateOf = {}};
+    saveGltf(path, original, edited, path);
+    saveGltf(copy, original, edited, path, fromCopy);
+    EXPECT_EQ(roughnessIn(path), 0.125);
+    saveGltf(copy, original, original, path, fromCopy);
+    EXPECT_EQ(readSaved(path).json, readSaved(copy).json) << "nothing is left of the edits";
+
+    // What goes wrong with it is said of the path it had.
+    fs::remove(folder.path / "parts of it" / "all#.bin");
+    try {
+        loadScene(copy, ofCopy);
+        FAIL();
+    } catch (const Error& error) {
+        EXPECT_EQ(std::string(error.what()).find(path.string()), 0u) << error.what();
+    }
+}
+
 TEST(GltfSaveFiles, KeepTheIndentationOfText)
 {
     for (const int indent : {-1, 1, 2, 4}) {

@@ -60,6 +60,40 @@ TEST(BackgroundTask, StopsAtTheNextPartWhereItIsCancelled)
     EXPECT_FALSE(passed);
 }
 
+TEST(BackgroundTask, APartHearsOfItWhereItLooks)
+{
+    BackgroundTask<int> task(announce);
+    std::atomic<int> pieces = 0;
+    task.start([&](Progress& progress) {
+        for (const std::stop_token stop = progress.stopToken();; ++pieces)
+            endWhereStopped(stop); // as a loader does before each image
+        return 1;
+    });
+    while (pieces == 0)
+        std::this_thread::yield();
+    task.cancel();
+    EXPECT_EQ(wait(task), std::nullopt);
+}
+
+TEST(BackgroundTask, IsWaitedFor)
+{
+    BackgroundTask<int> task(announce);
+    task.wait(); // for nothing
+    EXPECT_FALSE(task.isEnded());
+    std::atomic<bool> go = false;
+    task.start([&](Progress&) {
+        while (!go)
+            std::this_thread::yield();
+        return 7;
+    });
+    EXPECT_FALSE(task.isEnded());
+    go = true;
+    task.wait();
+    EXPECT_TRUE(task.isEnded());
+    EXPECT_EQ(task.take(), 7);
+    EXPECT_FALSE(task.isEnded());
+}
+
 TEST(BackgroundTask, AResultThatCameTooLateIsDropped)
 {
     BackgroundTask<int> task(announce);
