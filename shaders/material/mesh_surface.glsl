@@ -51,32 +51,30 @@ layout(location = 10) INPUT vec2 inOcclusionUv;
 layout(location = 11) INPUT vec2 inEmissiveUv;
 #endif
 
-vec4 readTexture(sampler2D map, vec2 uv)
-{
+// Not a function: each read stands where it is made, and can be counted.
 #ifdef EXACT_LEVEL
-    return textureLod(map, uv, levelOfDetail(uv, vec2(textureSize(map, 0))));
+#define READ_TEXTURE(map, uv) textureLod(map, uv, levelOfDetail(uv, vec2(textureSize(map, 0))))
 #else
-    return texture(map, uv);
+#define READ_TEXTURE(map, uv) texture(map, uv)
 #endif
-}
 
 Texels readTexels()
 {
     Texels t;
 #ifdef BASE_COLOR_UV
-    t.baseColor = readTexture(baseColorTexture, BASE_COLOR_UV);
+    t.baseColor = READ_TEXTURE(baseColorTexture, BASE_COLOR_UV);
 #endif
 #ifdef MATERIAL_UV
-    t.material = readTexture(scalarsTexture, MATERIAL_UV);
+    t.material = READ_TEXTURE(scalarsTexture, MATERIAL_UV);
 #endif
 #ifdef NORMAL_UV
-    t.normal = readTexture(normalTexture, NORMAL_UV);
+    t.normal = READ_TEXTURE(normalTexture, NORMAL_UV);
 #endif
 #ifdef OCCLUSION_UV
-    t.occlusion = readTexture(occlusionTexture, OCCLUSION_UV);
+    t.occlusion = READ_TEXTURE(occlusionTexture, OCCLUSION_UV);
 #endif
 #ifdef EMISSIVE_UV
-    t.emissive = readTexture(emissiveTexture, EMISSIVE_UV);
+    t.emissive = READ_TEXTURE(emissiveTexture, EMISSIVE_UV);
 #endif
     return t;
 }
