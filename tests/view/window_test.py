@@ -111,9 +111,15 @@ class WindowTest(unittest.TestCase):
         before = self.open()["command"]
         window = self.window
         window.drag(window.picture_place(0.5, 0.5), window.picture_place(0.7, 0.4))
-        turned = window.wait_for(lambda r: r["command"] != before, "the camera to turn")["command"]
+        window.wait_for(lambda r: r["command"] != before, "the camera to turn")
+
+        def target(report):
+            return [argument for argument in report["command"] if argument.startswith("--target=")]
+
+        turned = window.rest()
         window.drag(window.picture_place(0.5, 0.5), window.picture_place(0.6, 0.6), button=3)
-        moved = window.wait_for(lambda r: r["command"] != turned, "the camera to move across")["command"]
+        window.wait_for(lambda r: target(r) != target(turned), "the camera to move across")
+        moved = window.rest()["command"]
         window.move(*window.picture_place())
         window.run_tool("click", 4)
         window.wait_for(lambda r: r["command"] != moved, "the camera to come nearer")
