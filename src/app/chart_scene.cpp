@@ -91,6 +91,7 @@ Settings baseSettings(const std::string& resolution)
 Picture layersOf(const TrialDevice& on, const Scene& scene, const Camera& camera, Settings settings)
 {
     settings.layers = true;
+    // So that what other filters change is their error.
     settings.methods.textureFilter = brdf::findMethod(brdf::Slot::textureFilter, "trilinear_exact");
     const ShadingPlan plan = makePlan(scene, settings);
     Renderer renderer(on.device, on.shaders, on.cacheFolder);

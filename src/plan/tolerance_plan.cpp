@@ -16,7 +16,7 @@ std::size_t firstWithin(const MethodLadder& ladder, double error)
                                        : static_cast<std::size_t>(found - ladder.rungs.begin());
 }
 
-double shareOf(const LadderScene& scene)
+double slotShareOf(const LadderScene& scene)
 {
     return scene.even || !scene.environment ? kSlotShareAlone : kSlotShare;
 }
@@ -44,7 +44,7 @@ TolerancePlan planTolerance(const MethodTable& table, const Tolerance& tolerance
         if (!ladder)
             continue;
         if (slot != Slot::environmentSpecular)
-            ladder->at = firstWithin(*ladder, shareOf(scene) * tolerance.mean);
+            ladder->at = firstWithin(*ladder, slotShareOf(scene) * tolerance.mean);
         plan.ladders.push_back(std::move(*ladder));
     }
     return plan;
@@ -52,7 +52,7 @@ TolerancePlan planTolerance(const MethodTable& table, const Tolerance& tolerance
 
 void addLadder(TolerancePlan& plan, MethodLadder ladder, const LadderScene& scene)
 {
-    ladder.at = firstWithin(ladder, shareOf(scene) * plan.tolerance.mean);
+    ladder.at = firstWithin(ladder, slotShareOf(scene) * plan.tolerance.mean);
     plan.ladders.push_back(std::move(ladder));
 }
 

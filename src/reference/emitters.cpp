@@ -1,6 +1,7 @@
 #include "reference/emitters.h"
 
 #include "core/parallel.h"
+#include "math/guided_choice.h"
 #include "math/low_discrepancy.h"
 #include "reference/emission.h"
 #include "reference/off_surface.h"
@@ -102,6 +103,9 @@ Emitters::Emitters(const RayCaster& rays) : caster(rays), radiosities(rays.scene
             sums.push_back(total);
         }
     }
+    guide.resize(sums.size());
+    if (!dark())
+        makeGuide(sums, guide);
 }
 
 double Emitters::inSolidAngle(const Hit& hit, const SurfacePoint& surface) const
@@ -123,8 +127,7 @@ double Emitters::density(const Hit& hit, const SurfacePoint& surface) const
 
 std::optional<EmitterSample> Emitters::draw(const dvec3& from, double choice, const dvec2& u) const
 {
-    const auto found = std::upper_bound(sums.begin(), sums.end() - 1, choice * sums.back());
-    const Triangle& triangle = triangles[static_cast<std::size_t>(found - sums.begin())];
+    const Triangle& triangle = triangles[choose(sums, guide, choice).index];
     Hit hit;
     hit.instance = triangle.instance;
     hit.triangle = triangle.index;

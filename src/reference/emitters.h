@@ -4,6 +4,7 @@
 #include "reference/directed_light.h"
 #include "reference/surface_point.h"
 
+#include <cstdint>
 #include <optional>
 #include <span>
 #include <vector>
@@ -47,6 +48,7 @@ private:
     const RayCaster& caster;
     std::vector<Triangle> triangles;
     std::vector<double> sums;                     // running, of the triangles' weights
+    std::vector<std::uint32_t> guide;             // math/guided_choice.h
     std::vector<std::vector<double>> radiosities; // per instance and triangle, weight per area; empty where none emits
 };
 

@@ -212,7 +212,7 @@ MeasuredSlot measureSlot(const TrialDevice& on, Slot slot, const TrialOptions& o
     std::vector<const Method*> drawn;
     for (const Method* method : methodsOf(slot)) {
         const MethodTruth truth = truthOf(*method);
-        std::string note = whyNotDrawn(*method);
+        std::string note = whyNotOnSpheres(*method);
         if (note.empty())
             drawn.push_back(method);
         if (note.empty() && truth.kind == TruthKind::none)

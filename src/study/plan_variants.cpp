@@ -12,11 +12,26 @@ namespace {
 
 using brdf::Slot;
 
+/// The scene has what the slot is about.
+bool isOf(Slot slot, const Scene& scene)
+{
+    switch (slot) {
+    case Slot::areaLight:
+        return std::ranges::any_of(scene.lights, [](const Light& light) { return light.radius > 0.0; });
+    case Slot::textureFilter:
+        return !scene.textures.empty();
+    case Slot::pixelSampling: // a choice beside a number of samples: addNumbers
+    case Slot::model:         // other models are no plans of this one
+        return false;
+    default:
+        return true;
+    }
+}
+
 void addMethods(std::vector<PlanVariant>& variants, const Scene& scene, const Settings& base)
 {
-    const bool balls = std::ranges::any_of(scene.lights, [](const Light& light) { return light.radius > 0.0; });
     for (const Slot slot : brdf::allSlots()) {
-        if (slot == Slot::model || !base.methods[slot] || (slot == Slot::areaLight && !balls))
+        if (!base.methods[slot] || !isOf(slot, scene))
             continue;
         for (const brdf::Method* method : methodsOf(slot)) {
             if (method == base.methods[slot] || !whyNotDrawn(*method).empty())
@@ -56,17 +71,6 @@ void addNumbers(std::vector<PlanVariant>& variants, const Scene& scene, const Se
             variants.push_back({fmt::format("environment {} wide", width), "environment_size", base, width});
 }
 
-void addFilters(std::vector<PlanVariant>& variants, const Scene& scene, const Settings& base)
-{
-    for (const brdf::Method* method : methodsOf(Slot::textureFilter)) {
-        if (scene.textures.empty() || method == base.methods.textureFilter)
-            continue;
-        Settings settings = base;
-        settings.methods.textureFilter = method;
-        variants.push_back({fmt::format("texture_filter={}", method->id), "texture_filter", settings, 0});
-    }
-}
-
 void addPaths(std::vector<PlanVariant>& variants, const Settings& base)
 {
     for (const RenderPath path :
@@ -99,7 +103,6 @@ std::vector<PlanVariant> planVariants(const Scene& scene, const Settings& base)
     all.push_back({"gltf", "preset", gltf, 0});
     addMethods(all, scene, base);
     addNumbers(all, scene, base);
-    addFilters(all, scene, base);
     addPaths(all, base);
     std::vector<PlanVariant> variants;
     for (PlanVariant& variant : all)

@@ -19,7 +19,7 @@ struct PlanVariant
 inline constexpr const char* kStandardPlan = "standard";
 
 /// `base`, the preset gltf, each method that can stand in one slot, directions and samples, sizes of the environment,
-/// texture filters, paths. `base` first. Plans that makePlan refuses are left out.
+/// paths. `base` first. Plans that makePlan refuses are left out.
 std::vector<PlanVariant> planVariants(const Scene& scene, const Settings& base);
 
 } // namespace torrance

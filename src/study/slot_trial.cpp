@@ -110,15 +110,20 @@ std::string whyNotDrawn(const Method& method)
 {
     if (method.slot == Slot::sheen)
         return "no material is drawn with it yet";
-    if (method.slot == Slot::pixelSampling)
-        return "is about edges, which are not judged on spheres: torrance chart SCENE draws it";
-    if (method.slot == Slot::textureFilter)
-        return "is about textures, which the spheres have not: torrance chart SCENE draws it";
     if (method.needs != brdf::Interface::reflectance)
         return "needs an index of refraction that a base colour does not give: a truth, and not drawn";
     if (!method.ownModel.empty())
         return "belongs to the model " + std::string(method.ownModel) + " alone";
     return "";
+}
+
+std::string whyNotOnSpheres(const Method& method)
+{
+    if (method.slot == Slot::pixelSampling)
+        return "is about edges, which are not judged on spheres: torrance chart SCENE draws it";
+    if (method.slot == Slot::textureFilter)
+        return "is about textures, which the spheres have not: torrance chart SCENE draws it";
+    return whyNotDrawn(method);
 }
 
 brdf::Preset presetWith(const Method& method)

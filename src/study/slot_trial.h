@@ -46,6 +46,9 @@ MethodTruth truthOf(const brdf::Method& method);
 /// Why no picture can be drawn with a method beside the other slots of `standard`; empty where one can.
 std::string whyNotDrawn(const brdf::Method& method);
 
+/// Why a method is not measured on the spheres that slots are judged by; empty where it is.
+std::string whyNotOnSpheres(const brdf::Method& method);
+
 /// The preset `standard` with a method in its slot; of the slots distribution and visibility `gltf`, for compensation
 /// is made for one method of each; of the slot model the source's whole preset. Of tone and transfer, which are no part
 /// of shading, `standard` as it is. The method can be drawn.

@@ -162,6 +162,7 @@ void Viewer::takeResults()
     });
     if (!sceneTask.isRunning() || state.cancelOpening)
         state.opening.clear();
+    state.reads = sceneTask.isRunning();
     if (!sceneTask.isRunning() && openNext)
         state.requests.push_back(*std::exchange(openNext, std::nullopt));
     takeEnvironment();

@@ -87,7 +87,8 @@ void addScene(const ViewerState& state, const ViewerHost& host, Json::Object& re
 std::string viewerReport(const ViewerState& state, const ViewerHost& host, const Places& places,
                          const PictureArea& area)
 {
-    Json::Object report = {{"error", state.error}, {"notice", state.notice}, {"opening", state.opening}};
+    Json::Object report = {
+        {"error", state.error}, {"notice", state.notice}, {"opening", state.opening}, {"reads", state.reads}};
     report.emplace_back("picture", Json::Array{area.first.x, area.first.y, area.size.x, area.size.y});
     report.emplace_back("asks_of_unsaved", state.unsaved.has_value());
     if (state.scene)

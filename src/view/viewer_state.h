@@ -129,6 +129,7 @@ struct ViewerState
     std::deque<Request> requests;
     std::string opening; // the input that is being read; empty: none
     int openingPart = 0; // OpeningPart
+    bool reads = false;  // a thread is at it, though it may have been cancelled
     bool cancelOpening = false;
     std::string environmentName;           // of the light that the scene has
     std::vector<std::string> environments; // names and files that can be chosen

@@ -712,6 +712,14 @@ class WindowTest(unittest.TestCase):
         text = shader.read_text()
         self.open("--path", "forward")
         window = self.window
+        seen = [argument for argument in window.report()["command"] if argument.startswith("--orbit")]
+
+        def look(key):
+            window.key(key)
+            window.wait_for(lambda r: [a for a in r["command"] if a.startswith("--orbit")] != seen, "another view")
+            return [a for a in window.rest()["command"] if a.startswith("--orbit")]
+
+        seen = look("1")
         good = window.shown()
         shader.write_text(text.replace("void main()", "void main(", 1))
         window.key("r")
@@ -721,6 +729,9 @@ class WindowTest(unittest.TestCase):
         self.keep("shader")
         window.click("error.close")
         window.wait_for(lambda r: not r["error"], "the error to go")
+        for key in "71":  # drawn anew, not only kept
+            seen = look(key)
+        self.assertEqual(window.report()["error"], "", "the last good shader is drawn with")
         self.assertEqual(window.shown().worst_difference(good)[0], 0, "the last good shader stays")
         shader.write_text(self.red(text))
         window.key("r")
@@ -892,12 +903,18 @@ class WindowTest(unittest.TestCase):
         self.drop(slow)
         window.wait_for(lambda r: r["opening"] and "opening.cancel" in r["places"], "the file to be opened")
         window.click("opening.cancel")
-        report = window.wait_for(lambda r: not r["opening"], "the opening to end")
+        window.wait_for(lambda r: not r["opening"], "the opening to end")
+        report = window.wait_for(lambda r: not r["reads"], "its thread to end")
         self.assertEqual(report["scene"], "demo")
         good = Path(PROGRAM).parent.parent / "share" / "torrance" / "assets" / "demo" / "demo.gltf"
         self.drop(good)
-        window.wait_open(good)
-        self.assertEqual(window.rest()["scene"], str(good), "what was cancelled does not come after all")
+
+        def comes(report):
+            self.assertNotEqual(report["scene"], str(slow), "what was cancelled comes after all")
+            return report["scene"] == str(good) and not report["opening"]
+
+        window.wait_for(comes, "another file to open")
+        comes(window.rest())
         self.leave()
 
     def test_many_textures(self):
@@ -1044,8 +1061,9 @@ class WindowTest(unittest.TestCase):
         window = self.window
         window.unit = 2
         self.expect_as_rendered("units")
-        window.click(window.picture_place(0.5, 0.55))
+        window.click(window.picture_place(0.363, 0.626))
         report = window.wait_for(lambda r: r["selected_object"] >= 0, "an object to be selected")
+        self.assertEqual(report["materials"][report["selected_material"]]["name"], "hammered copper", "what lies there")
         before = report["materials"][report["selected_material"]]["roughnessFactor"]
         self.keep("desktop_units")
         reaches = window.place("material.roughness")[1]

@@ -109,8 +109,8 @@ TEST(MethodTableFile, IsShippedWhole)
     EXPECT_NE(table.device.find("llvmpipe"), std::string::npos);
     for (const MethodRow& row : table.rows) {
         const std::string name(row.method->id);
-        EXPECT_EQ(row.cost.has_value(), whyNotDrawn(*row.method).empty()) << name;
-        const bool judged = whyNotDrawn(*row.method).empty() && truthOf(*row.method).kind != TruthKind::none;
+        EXPECT_EQ(row.cost.has_value(), whyNotOnSpheres(*row.method).empty()) << name;
+        const bool judged = whyNotOnSpheres(*row.method).empty() && truthOf(*row.method).kind != TruthKind::none;
         EXPECT_EQ(row.error.has_value(), judged) << name;
         EXPECT_EQ(row.truth, truthOf(*row.method).kind == TruthKind::none ? "" : truthOf(*row.method).text) << name;
     }
