@@ -59,16 +59,38 @@ def set_dots_per_inch(screen, dots):
     x11.XCloseDisplay(display)
 
 
+def with_layers(program, names):
+    """The environment that has the Vulkan loader put these layers of the tests between the program and what it is asked
+    for already."""
+    # TORRANCE_TEST_PRESENT=1: each window's pictures are shown by present_layer.cpp, for a device whose driver cannot on
+    # this screen. It is the last: the others change what it is told.
+    present = ["present"] if os.environ.get("TORRANCE_TEST_PRESENT") == "1" else []
+    folders = [Path(program).parent.parent / "tests" / "layers" / f"{name}_layer" for name in [*names, *present]]
+    if not folders:
+        return {}
+    # Where VK_LAYER_PATH is set, the loader looks nowhere else.
+    path = "VK_LAYER_PATH" if "VK_LAYER_PATH" in os.environ else "VK_ADD_LAYER_PATH"
+
+    def around(variable, before, after=()):
+        return ":".join([*before, *filter(None, [os.environ.get(variable)]), *after])
+
+    def layers(short):
+        return [f"VK_LAYER_TORRANCE_{name}" for name in short]
+
+    return {path: around(path, map(str, folders)),
+            "VK_INSTANCE_LAYERS": around("VK_INSTANCE_LAYERS", layers(names), layers(present))}
+
+
 class Window:
     """`torrance view`, and what it says of itself by --report."""
 
-    def __init__(self, program, screen, arguments, folder, validation=True, **environment):
+    def __init__(self, program, screen, arguments, folder, validation=True, layers=(), **environment):
         self.screen = screen
         self.folder = Path(folder)
         self.report_file = self.folder / "report.json"
         self.report_file.unlink(missing_ok=True)  # of a window before
         self.environment = dict(os.environ, DISPLAY=screen.display, XDG_CONFIG_HOME=str(self.folder / "config"),
-                                XDG_STATE_HOME=str(self.folder / "state"), **environment)
+                                XDG_STATE_HOME=str(self.folder / "state"), **with_layers(program, layers), **environment)
         self.errors = open(self.folder / "stderr", "w+")
         command = [program, "view", *map(str, arguments), "--report", str(self.report_file)]
         self.process = subprocess.Popen(command + ["--validation"] * validation, env=self.environment, stderr=self.errors)

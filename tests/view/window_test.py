@@ -50,12 +50,19 @@ class WindowTest(unittest.TestCase):
                 self.window.rest()
             self.screen.picture().write(Path(PICTURES) / (name + ".png"))
 
-    def expect_panels(self, name):
-        """The column of panels as it is kept."""
+    def expect_panels(self, name, fills=False):
+        """The column of panels as it is kept. With `fills` its pictures come one by one, each when it is made, and the window
+        may rest between two of them."""
         self.window.move(2, self.screen.height - 2)
-        x, y, width, height = self.window.rest()["picture"]
-        shown = self.screen.picture()
-        self.expect_kept(name, shown.crop(x + width, y, shown.width - x - width, height))
+        end = time.monotonic() + desktop.PATIENCE
+        while True:
+            x, y, width, height = self.window.rest()["picture"]
+            shown = self.screen.picture()
+            try:
+                return self.expect_kept(name, shown.crop(x + width, y, shown.width - x - width, height))
+            except AssertionError:
+                if not fills or time.monotonic() > end:
+                    raise
 
     def expect_dialog(self, name, dialog, *changing):
         """A dialog as it is kept, but for places of it that show something else each time."""
@@ -345,8 +352,8 @@ class WindowTest(unittest.TestCase):
         window.click("section.Material")  # makes room
         window.click("section.Light")
         window.wait_for(lambda r: "light.environment.sky" in r["places"], "the environments")
+        self.expect_panels("light", fills=True)
         self.keep("light")
-        self.expect_panels("light")
         window.click("light.environment.furnace")
         report = window.wait_for(lambda r: r["environment"] == "furnace", "the furnace")
         self.assertIn("--environment=furnace", report["command"])
@@ -397,12 +404,12 @@ class WindowTest(unittest.TestCase):
         self.leave()
 
     def go_away(self, times):
-        """Each time by a third of the distance."""
-        for _ in range(times):
+        """Each time by a third of the distance, in three steps."""
+        for _ in range(3 * times):
             command = self.window.report()["command"]
-            self.window.key("minus", "minus", "minus")
+            self.window.key("minus")
             self.window.wait_for(lambda r: r["command"] != command, "the camera to go farther away")
-            self.window.rest()
+        self.window.rest()
 
     def test_turning_lamps(self):
         self.open()
@@ -783,8 +790,7 @@ class WindowTest(unittest.TestCase):
 
     def open_with_faults(self, **how):
         self.fault = self.folder / "fault"
-        return self.open(VK_ADD_LAYER_PATH=str(Path(PROGRAM).parent.parent / "tests" / "layers"),
-                         VK_INSTANCE_LAYERS="VK_LAYER_TORRANCE_fault", TORRANCE_TEST_FAULT=str(self.fault), **how)
+        return self.open(layers=["fault"], TORRANCE_TEST_FAULT=str(self.fault), **how)
 
     def cause(self, fault):
         """Has it happen in the next picture."""
