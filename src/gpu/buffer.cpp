@@ -25,6 +25,13 @@ Buffer allocate(const Device& device, vk::DeviceSize size, vk::BufferUsageFlags 
     return buffer;
 }
 
+Buffer filled(Buffer buffer, std::span<const std::byte> content)
+{
+    if (!content.empty())
+        std::memcpy(buffer.mapped, content.data(), content.size());
+    return buffer;
+}
+
 } // namespace
 
 Buffer makeBuffer(const Device& device, vk::DeviceSize size, vk::BufferUsageFlags usage, std::string_view name)
@@ -35,10 +42,17 @@ Buffer makeBuffer(const Device& device, vk::DeviceSize size, vk::BufferUsageFlag
 Buffer makeBuffer(const Device& device, std::span<const std::byte> content, vk::BufferUsageFlags usage,
                   std::string_view name)
 {
-    Buffer buffer = makeBuffer(device, content.size(), usage, name);
-    if (!content.empty())
-        std::memcpy(buffer.mapped, content.data(), content.size());
-    return buffer;
+    return filled(makeBuffer(device, content.size(), usage, name), content);
+}
+
+Buffer makeStagingBuffer(const Device& device, vk::DeviceSize size, std::string_view name)
+{
+    return allocate(device, size, vk::BufferUsageFlagBits::eTransferSrc, vk::MemoryPropertyFlagBits::eHostCached, name);
+}
+
+Buffer makeStagingBuffer(const Device& device, std::span<const std::byte> content, std::string_view name)
+{
+    return filled(makeStagingBuffer(device, content.size(), name), content);
 }
 
 Buffer makeReadbackBuffer(const Device& device, vk::DeviceSize size, std::string_view name)

@@ -26,6 +26,14 @@ Buffer makeBuffer(const Device& device, vk::DeviceSize size, vk::BufferUsageFlag
 Buffer makeBuffer(const Device& device, std::span<const std::byte> content, vk::BufferUsageFlags usage,
                   std::string_view name);
 
+/// For what the host writes and a copy takes to an image or a buffer: cached memory of the host. Who writes may read
+/// again what it wrote (a level for the next one, a file's bytes for their hash), which from a card's memory takes a
+/// hundred times as long.
+Buffer makeStagingBuffer(const Device& device, vk::DeviceSize size, std::string_view name);
+
+/// The same, filled.
+Buffer makeStagingBuffer(const Device& device, std::span<const std::byte> content, std::string_view name);
+
 /// For what the host reads back: cached memory where there is such.
 Buffer makeReadbackBuffer(const Device& device, vk::DeviceSize size, std::string_view name);
 

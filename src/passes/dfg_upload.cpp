@@ -30,8 +30,7 @@ gpu::DeviceImage upload(const gpu::Device& device, const DfgTable& table, brdf::
                                              .height = static_cast<std::uint32_t>(table.height),
                                              .format = formatOf(format)},
                                             Usage::eSampled | Usage::eTransferDst, "directional albedos");
-    const gpu::Buffer staging =
-        gpu::makeBuffer(device, texels, vk::BufferUsageFlagBits::eTransferSrc, "directional albedos");
+    const gpu::Buffer staging = gpu::makeStagingBuffer(device, texels, "directional albedos");
     gpu::Commands commands(device);
     gpu::copyToImage(commands, staging, image, texels.size() / (table.texels.size() / 4));
     commands.submitAndWait();

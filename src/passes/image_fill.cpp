@@ -62,8 +62,7 @@ bool fillImage(const gpu::Device& device, const gpu::DeviceImage& image, std::si
     std::size_t capacity = kStagingBytes; // a single row may need more
     for (const Band& band : bands)
         capacity = std::max(capacity, band.bytes(bytesPerTexel));
-    const gpu::Buffer staging =
-        gpu::makeBuffer(device, capacity, vk::BufferUsageFlagBits::eTransferSrc, "texels on their way");
+    const gpu::Buffer staging = gpu::makeStagingBuffer(device, capacity, "texels on their way");
     for (std::size_t begin = 0, end = 0; begin < bands.size(); begin = end) {
         std::size_t bytes = 0;
         while (end < bands.size() && bytes + bands[end].bytes(bytesPerTexel) <= capacity)

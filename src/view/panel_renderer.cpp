@@ -74,7 +74,7 @@ gpu::DeviceImage uploadPanelPicture(const gpu::Device& device, int width, int he
                         .height = static_cast<std::uint32_t>(height),
                         .format = vk::Format::eR8G8B8A8Unorm},
                        vk::ImageUsageFlagBits::eSampled | vk::ImageUsageFlagBits::eTransferDst, name);
-    const gpu::Buffer staging = gpu::makeBuffer(device, codes, vk::BufferUsageFlagBits::eTransferSrc, name);
+    const gpu::Buffer staging = gpu::makeStagingBuffer(device, codes, name);
     gpu::Commands commands(device);
     gpu::copyToImage(commands, staging, image, 4);
     commands.submitAndWait();

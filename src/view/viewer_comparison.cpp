@@ -41,8 +41,8 @@ void Viewer::handle(const OpenPicture& request)
     compared = {};
     compared.curves = codes ? DisplaySettings{.tone = findToneCurve("none")} : shownCurves();
     compared.image = makeColorTarget(device, color.width, color.height, "picture to compare with");
-    const gpu::Buffer texels = gpu::makeBuffer(device, std::as_bytes(std::span(opaque.texels)),
-                                               vk::BufferUsageFlagBits::eTransferSrc, "picture to compare with");
+    const gpu::Buffer texels =
+        gpu::makeStagingBuffer(device, std::as_bytes(std::span(opaque.texels)), "picture to compare with");
     gpu::Commands commands(device);
     gpu::copyToImage(commands, texels, compared.image, 4 * sizeof(float));
     commands.submitAndWait();

@@ -18,7 +18,7 @@ TEST(Device, IsDescribedAndUsable)
 TEST(Device, ValidationSeesADeliberateMistake)
 {
     // A device of its own: this message is wanted.
-    const gpu::Device device({.choice = "cpu", .validation = true});
+    const gpu::Device device({.choice = test::device().description.name, .validation = true});
     const vk::BufferCreateInfo noUsage = {.size = 16};
     const vk::raii::Buffer buffer(device.handle, noUsage);
     EXPECT_FALSE(device.validationMessages().empty());

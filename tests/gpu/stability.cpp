@@ -80,7 +80,8 @@ TEST(Stability, FindsThatTheTextbookOrderOfGgxLosesSmoothSurfaces)
 }
 
 // The peak 1 / (pi a^2) passes 65504 below a = 0.0022, r = 0.047; pi a^4, by which the textbook divides, is half the
-// least half float, and so 0, below a = 0.0099, r = 0.099.
+// least half float, and so 0, below a = 0.0099, r = 0.099: a GPU that flushes what lies below 2^-14 to 0 loses it below
+// a = 0.066, r = 0.258.
 TEST(Stability, FindsThatTheHighlightOverflowsHalfFloats)
 {
     if (!test::device().computes(Precision::fp16))
@@ -89,7 +90,7 @@ TEST(Stability, FindsThatTheHighlightOverflowsHalfFloats)
     EXPECT_GT(fp16.nonFinite.cells, 0);
     EXPECT_EQ(fp16.nonFinite.leastRow, 0.0);
     EXPECT_GT(fp16.nonFinite.greatestRow, 0.047);
-    EXPECT_LT(fp16.nonFinite.greatestRow, 0.11);
+    EXPECT_LT(fp16.nonFinite.greatestRow, test::device().description.isProcessor() ? 0.11 : 0.26);
 }
 
 // Burley 2012 at grazing and roughness 1: F_D90 = 1/2 + 2 cos^2, five halves where l is v.
