@@ -15,6 +15,7 @@
 #include "core/standard_output.h"
 #include "files/json_write.h"
 #include "passes/renderer.h"
+#include "prepare/kept_textures.h"
 #include "study/transport_part.h"
 
 #include <algorithm>
@@ -33,11 +34,13 @@ struct Session
     bool resultOnStandardOutput; // picture or JSON: nothing else may go there
     Phases phases;               // before what is timed
     bool outside = false;        // some picture is not within the tolerance
+    std::size_t picturesDecoded = 0;
     Settings settings;
     std::optional<CertificateRequest> certify; // a tolerance asks for it, too
     std::optional<Tolerance> tolerance;
     std::optional<NamedMethodTable> table; // where there is a tolerance
     std::optional<Environment> environment;
+    KeptTextures keptTextures;
     std::optional<LoadedScene> first; // of the first input, loaded while the device is opened
     gpu::Device device;
     gpu::ShaderLibrary shaders;
@@ -50,18 +53,41 @@ struct Session
 
     LoadedScene load(const std::string& input)
     {
-        return phases.time(
-            "load", [&] { return loadLitScene(options.scene, options.light, settings.methods, environment, input); });
+        KnownImages known;
+        if (!certify && !tolerance) // what is certified is compared with the texels
+            known = [this](const ContentHash& encoded) {
+                const auto picture = keptTextures.find(encoded);
+                return picture ? std::optional(picture->image) : std::nullopt;
+            };
+        return counted(phases.time("load", [&] {
+            return loadLitScene(options.scene, options.light, settings.methods, environment, input, {}, known);
+        }));
+    }
+
+    /// Once more, with all its texels.
+    LoadedScene loadWhole(const std::string& input)
+    {
+        return counted(phases.time("load", [&] {
+            return buildLitScene(options.scene, options.light, settings.methods, environment, input, {},
+                                 [](const ContentHash&) { return std::nullopt; });
+        }));
     }
 
 private:
+    LoadedScene counted(LoadedScene loaded)
+    {
+        picturesDecoded += static_cast<std::size_t>(std::ranges::count_if(
+            loaded.scene.images, [](const TextureImage& image) { return !image.texels.empty(); }));
+        return loaded;
+    }
+
     Session(const Options& o, const GlobalOptions& global, const std::string& firstInput, Settings s,
             std::future<gpu::Device> opening)
         : options(o), resultOnStandardOutput(o.output.pattern == "-" || global.json == "-"), settings(std::move(s)),
           certify(chosenCertificate(o.certify)), tolerance(chosenTolerance(o.tolerance)),
           environment(
               phases.time("environment", [&] { return loadChosenEnvironment(o.environment, settings.methods); })),
-          first(load(firstInput)),
+          keptTextures(cacheFolder(global)), first(load(firstInput)),
           device(phases.time("device", [&] { return finishOpeningDevice(std::move(opening)); })),
           shaders(dataFolder() / "shaders", cacheFolder(global)), renderer(device, shaders, cacheFolder(global))
     {
@@ -113,14 +139,18 @@ Drawn drawOnce(Session& session, const std::string& input, LoadedScene& loaded, 
 {
     Drawn drawn;
     drawn.settings = settings;
-    drawn.plan = session.phases.time("plan", [&] { return makePlan(loaded.scene, settings); });
+    drawn.plan = session.phases.time("plan", [&] {
+        return makePlan(loaded.scene, texelFacts(loaded.scene, loaded.encodedImages, session.keptTextures), settings);
+    });
     TexelsRead freeTexels;
-    if (!session.certify) // what is certified is compared with the texels
+    if (!session.certify)
         freeTexels = [&](int image) {
             std::vector<std::byte>().swap(loaded.scene.images[static_cast<std::size_t>(image)].texels);
         };
-    const DeviceScene deviceScene = session.phases.time(
-        "upload", [&] { return session.renderer.upload(loaded.scene, drawn.plan, &camera, freeTexels); });
+    const DeviceScene deviceScene = session.phases.time("upload", [&] {
+        return session.renderer.upload(loaded.scene, drawn.plan, &camera, freeTexels,
+                                       {&session.keptTextures, loaded.encodedImages});
+    });
     ProgressLine progress(input);
     drawn.picture = session.phases.time("draw", [&] {
         return session.renderer.render(deviceScene, camera, [&](int done, int all) { progress.show(done, all); });
@@ -192,11 +222,9 @@ std::string writeCertificate(Drawn& drawn, const Session& session, const std::st
     return file;
 }
 
-Json draw(Session& session, const std::string& input, const std::string& output)
+Json drawLoaded(Session& session, const std::string& input, const std::string& output, LoadedScene loaded)
 {
     Phases& phases = session.phases;
-    LoadedScene loaded = session.first ? std::move(*session.first) : session.load(input);
-    session.first.reset();
     const Scene& scene = loaded.scene;
     const double aspect = double(session.settings.width) / session.settings.height;
     const Camera camera = chooseCamera(cameraOptionsFor(session.options.camera, input), scene, aspect);
@@ -250,6 +278,17 @@ Json draw(Session& session, const std::string& input, const std::string& output)
     return result;
 }
 
+Json draw(Session& session, const std::string& input, const std::string& output)
+{
+    LoadedScene loaded = session.first ? std::move(*session.first) : session.load(input);
+    session.first.reset();
+    try {
+        return drawLoaded(session, input, output, std::move(loaded));
+    } catch (const TexelsMissing&) { // another size or camera reads other levels; or they made room for others
+        return drawLoaded(session, input, output, session.loadWhole(input));
+    }
+}
+
 ExitCode run(const Options& options, const GlobalOptions& global)
 {
     const std::vector<std::string> inputs = sceneInputs(options.scene);
@@ -272,6 +311,7 @@ ExitCode run(const Options& options, const GlobalOptions& global)
                                         {"driver", session.device.description.driverVersion},
                                         {"pipelines", session.renderer.pipelineCount()},
                                         {"shaders_compiled", session.shaders.compiledCount()},
+                                        {"pictures_decoded", session.picturesDecoded},
                                         {"seconds", phasesAsJson(session.phases)}});
     return session.outside ? ExitCode::checkFailed : ExitCode::success;
 }

@@ -98,6 +98,7 @@ void applyMaterial(const MaterialOptions& options, LoadedScene& loaded)
         throw usageError("--material and --maps exclude each other", "give one of them");
     Scene& scene = loaded.scene;
     scene.images.clear();
+    loaded.encodedImages.clear();
     scene.textures.clear();
     Material material = startingMaterial(options, loaded);
     if (!options.baseColor.empty())

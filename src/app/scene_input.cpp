@@ -86,10 +86,12 @@ LoadOptions loadOptions(const SceneOptions& chosen)
     return options;
 }
 
-LoadedScene buildChosenScene(const SceneOptions& chosen, const std::string& input, const std::stop_token& stop)
+LoadedScene buildChosenScene(const SceneOptions& chosen, const std::string& input, const std::stop_token& stop,
+                             const KnownImages& known)
 {
     LoadOptions options = loadOptions(chosen);
     options.stop = stop;
+    options.known = known;
     LoadedScene loaded =
         chosen.primitive.empty() ? loadScene(sceneFile(input), options) : primitiveScene(chosen.primitive);
     if (!chosen.primitive.empty() || choosesMaterial(chosen.material))
@@ -111,14 +113,6 @@ void giveLightsTheirRadius(const SceneOptions& chosen, Scene& scene)
         }
     if (!found)
         throw usageError("--light-radius is for point and spot lights, and the scene has none", "leave it out");
-}
-
-LoadedScene loadChosenScene(const SceneOptions& chosen, const std::string& input, const std::stop_token& stop)
-{
-    LoadedScene loaded = buildChosenScene(chosen, input, stop);
-    for (const std::string& warning : loaded.warnings)
-        logWarning(warning);
-    return loaded;
 }
 
 CameraOptions cameraOptionsFor(const CameraOptions& options, const std::string& input)

@@ -44,11 +44,9 @@ std::string sceneFile(const std::string& input);
 LoadOptions loadOptions(const SceneOptions& options);
 
 /// One of sceneInputs, with the material that was chosen. Throws Cancelled where a stop was asked for
-/// (LoadOptions::stop).
-LoadedScene buildChosenScene(const SceneOptions& options, const std::string& input, const std::stop_token& stop = {});
-
-/// The same; its warnings are logged.
-LoadedScene loadChosenScene(const SceneOptions& options, const std::string& input, const std::stop_token& stop = {});
+/// (LoadOptions::stop). `known`: LoadOptions::known.
+LoadedScene buildChosenScene(const SceneOptions& options, const std::string& input, const std::stop_token& stop = {},
+                             const KnownImages& known = {});
 
 /// --light-radius, of the file's lights and of those that other options have added by then. Error (usage) where there
 /// is none to have a radius.

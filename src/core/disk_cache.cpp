@@ -3,6 +3,7 @@
 #include "core/atomic_write.h"
 #include "core/error.h"
 #include "core/log.h"
+#include "core/parallel.h"
 #include "core/user_folder.h"
 
 #include <algorithm>
@@ -54,6 +55,37 @@ bool readFully(int file, void* to, std::size_t count)
         count -= static_cast<std::size_t>(n);
     }
     return true;
+}
+
+bool readFullyAt(int file, std::byte* to, std::size_t count, off_t offset)
+{
+    while (count > 0) {
+        const ssize_t n = pread(file, to, count, offset);
+        if (n < 0 && errno == EINTR)
+            continue;
+        if (n <= 0)
+            return false;
+        to += n;
+        offset += n;
+        count -= static_cast<std::size_t>(n);
+    }
+    return true;
+}
+
+/// The same on all cores: what is large is copied page by page to memory that nobody has touched yet.
+bool readFullyAtOnce(int file, std::span<std::byte> to)
+{
+    constexpr std::size_t kPiece = 4u << 20; // a core's share of less is read before another has woken up
+    if (to.size() < 2 * kPiece)
+        return readFully(file, to.data(), to.size());
+    const off_t begin = lseek(file, 0, SEEK_CUR);
+    std::atomic<bool> whole = begin >= 0;
+    parallelFor((to.size() + kPiece - 1) / kPiece, 1, [&](std::size_t i) {
+        const std::span<std::byte> piece = to.subspan(i * kPiece, std::min(kPiece, to.size() - i * kPiece));
+        if (whole && !readFullyAt(file, piece.data(), piece.size(), begin + static_cast<off_t>(i * kPiece)))
+            whole = false;
+    });
+    return whole && lseek(file, static_cast<off_t>(to.size()), SEEK_CUR) >= 0;
 }
 
 /// Closes what is not handed on.
@@ -127,7 +159,7 @@ KeptResult::~KeptResult()
 
 bool KeptResult::read(std::span<std::byte> to)
 {
-    if (to.size() > left || !readFully(descriptor, to.data(), to.size()))
+    if (to.size() > left || !readFullyAtOnce(descriptor, to))
         return false;
     left -= to.size();
     hasher.addPart(to);

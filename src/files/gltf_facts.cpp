@@ -80,7 +80,8 @@ void addSceneFacts(SceneFacts& facts, const Scene& scene)
         facts.points += primitive.topology == Topology::points ? indices : 0;
     }
     for (const TextureImage& image : scene.images)
-        facts.texelBytes += image.texels.size();
+        facts.texelBytes += static_cast<std::uint64_t>(image.width) * static_cast<std::uint64_t>(image.height) *
+                            bytesPerTexel(image.format);
 }
 
 } // namespace torrance

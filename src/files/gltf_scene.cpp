@@ -36,7 +36,7 @@ public:
         scene.name = number >= 0 ? model.scenes[static_cast<std::size_t>(number)].name : "";
         if (scene.name.empty())
             scene.name = document.stem;
-        return {std::move(scene), std::move(items)};
+        return {std::move(scene), std::move(items), std::move(encodedImages)};
     }
 
 private:
@@ -78,7 +78,7 @@ private:
                     textures.insert(use->texture);
         }
         GltfTextures read = readTextures(model, document.json, document.buffers, document.origin, textures,
-                                         document.limits.texelBytes, document.stop, report);
+                                         document.limits.texelBytes, document.stop, document.known, report);
         for (GltfMaterial& material : materials) {
             for (TextureUse* use : usesOf(material.material))
                 if (use->used())
@@ -87,6 +87,7 @@ private:
         }
         scene.textures = std::move(read.textures);
         scene.images = std::move(read.images);
+        encodedImages = std::move(read.encoded);
         items.textures.assign(textures.begin(), textures.end());
         items.images = std::move(read.fileImages);
     }
@@ -175,6 +176,7 @@ private:
     GltfGeometry geometry;
     Scene scene;
     FileItems items;
+    std::vector<ContentHash> encodedImages;
     std::vector<GltfMaterial> materials;
     std::map<int, int> materialOfFile;
     std::map<std::tuple<int, int, std::vector<double>>, std::vector<int>> primitives; // of mesh, skin and weights

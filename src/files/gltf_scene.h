@@ -8,6 +8,7 @@
 
 #include <nlohmann/json_fwd.hpp>
 #include <stop_token>
+#include <vector>
 
 namespace torrance {
 
@@ -22,6 +23,7 @@ struct GltfDocument
     const GltfOrigin& origin;
     const SceneLimits& limits;
     const std::stop_token& stop;
+    const KnownImages& known;
 };
 
 /// The number of the scene that is drawn: `chosen`, the file's default, the first; -1 where the file has no scenes.
@@ -32,6 +34,7 @@ struct GltfScene
 {
     Scene scene;
     FileItems items;
+    std::vector<ContentHash> encodedImages; // as in LoadedScene
 };
 
 /// Scene `number` of the document; all root nodes where it is -1.

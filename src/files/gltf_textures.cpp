@@ -115,11 +115,32 @@ EncodedImage readImage(const json& image, std::size_t index, const GltfBuffers& 
     return encoded;
 }
 
+/// Where `known` is asked, `hashes` are those of the encoded bytes.
+std::vector<TextureImage> decodeUnknown(std::vector<EncodedImage> encoded, const std::vector<ContentHash>& hashes,
+                                        const KnownImages& known, const std::stop_token& stop)
+{
+    std::vector<TextureImage> images(encoded.size());
+    std::vector<EncodedImage> unknown;
+    std::vector<std::size_t> places;
+    for (std::size_t i = 0; i < encoded.size(); ++i) {
+        if (const auto image = known ? known(hashes[i]) : std::nullopt) {
+            images[i] = {encoded[i].name, image->width, image->height, image->format, {}};
+            continue;
+        }
+        unknown.push_back(std::move(encoded[i]));
+        places.push_back(i);
+    }
+    std::vector<TextureImage> decoded = decodeAll(unknown, stop);
+    for (std::size_t i = 0; i < places.size(); ++i)
+        images[places[i]] = std::move(decoded[i]);
+    return images;
+}
+
 } // namespace
 
 GltfTextures readTextures(const tinygltf::Model& model, const json& document, const GltfBuffers& buffers,
                           const GltfOrigin& origin, const std::set<int>& used, std::uint64_t maxTexelBytes,
-                          const std::stop_token& stop, const LoadReport& report)
+                          const std::stop_token& stop, const KnownImages& known, const LoadReport& report)
 {
     GltfTextures result;
     result.textureOfFile.assign(model.textures.size(), -1);
@@ -145,7 +166,10 @@ GltfTextures readTextures(const tinygltf::Model& model, const json& document, co
         result.textures.push_back({imageOfFile[image], samplerOf(model, source.sampler, report)});
     }
     checkTotalSize(encoded, maxTexelBytes);
-    result.images = decodeAll(encoded, stop);
+    if (known)
+        for (const EncodedImage& image : encoded)
+            result.encoded.push_back(hashBytes(image.bytes));
+    result.images = decodeUnknown(std::move(encoded), result.encoded, known, stop);
     return result;
 }
 

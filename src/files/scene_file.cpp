@@ -26,11 +26,12 @@ LoadedScene build(const OpenedGltf& opened, const std::filesystem::path& path, c
         report.warn("", "has no scenes: all of its nodes are drawn");
 
     LoadedScene loaded;
-    GltfScene built =
-        buildScene({path.stem().string(), document, buffers, accessors, tree, origin, options.limits, options.stop},
-                   number, report);
+    GltfScene built = buildScene(
+        {path.stem().string(), document, buffers, accessors, tree, origin, options.limits, options.stop, options.known},
+        number, report);
     loaded.scene = std::move(built.scene);
     loaded.items = std::move(built.items);
+    loaded.encodedImages = std::move(built.encodedImages);
     loaded.facts = factsOfDocument(document, opened.container, opened.bytes.size());
     addSceneFacts(loaded.facts, loaded.scene);
     loaded.facts.scene = number;

@@ -1,6 +1,7 @@
 // Scenes from files: glTF 2.0, as .gltf or .glb, and OBJ with MTL.
 #pragma once
 
+#include "scene/known_image.h"
 #include "scene/scene.h"
 
 #include <array>
@@ -33,6 +34,9 @@ struct LoadOptions
     std::filesystem::path readAs = {};
     /// Asked before each picture is read and decoded: loading ends with Cancelled (core/cancelled.h).
     std::stop_token stop = {};
+    /// Of a glTF file: a picture that this knows is not decoded, and has no texels in the scene. Whoever gives it can
+    /// do without them.
+    KnownImages known = {};
 };
 
 /// How many of a kind a file holds, and their names ("" where one has none).
@@ -100,6 +104,8 @@ struct LoadedScene
     FileItems items;
     SceneFacts facts;
     std::vector<std::string> warnings; // each a line that names the file
+    /// Of the encoded bytes, by Scene::images; empty unless LoadOptions::known was asked.
+    std::vector<ContentHash> encodedImages = {};
 };
 
 /// Reads a scene as it stands at rest: morph targets at their default weights, skins in the pose of the nodes,

@@ -141,7 +141,6 @@ void writeRows(const DeviceImage& image, const std::function<void(std::span<cons
         levels.push_back({mapped + layout.offset, layout.rowPitch});
     }
     write(levels);
-    image.memory.unmapMemory();
 }
 
 } // namespace torrance::gpu

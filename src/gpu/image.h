@@ -61,7 +61,7 @@ struct LevelRows
 /// rows.
 bool canSampleRows(const Device& device, const ImageShape& shape);
 
-/// Maps a new image in rows of one layer while `write` fills its levels, from large to small.
+/// `write` fills the levels, from large to small, of a new image in rows of one layer: mapped as long as that lives.
 void writeRows(const DeviceImage& image, const std::function<void(std::span<const LevelRows>)>& write);
 
 bool isDepthFormat(vk::Format format);

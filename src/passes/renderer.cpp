@@ -90,14 +90,14 @@ DeviceScene Renderer::assemble(const Scene& scene, const ShadingPlan& plan, std:
 }
 
 DeviceScene Renderer::upload(const Scene& scene, const ShadingPlan& plan, const Camera* onlyCamera,
-                             const TexelsRead& texelsRead)
+                             const TexelsRead& texelsRead, const KeptLevels& kept)
 {
     requireSampling(plan);
     return gpu::guarded(device, [&] {
         const std::vector<int> finest =
             onlyCamera ? finestLevels(scene, plan, *onlyCamera) : std::vector<int>(plan.textures.size(), 0);
         return assemble(scene, plan, finest, std::make_shared<MeshBuffers>(makeMeshBuffers(device, scene, plan)),
-                        std::make_shared<Textures>(device, scene, plan, finest, texelsRead));
+                        std::make_shared<Textures>(device, scene, plan, finest, texelsRead, kept));
     });
 }
 

@@ -48,9 +48,10 @@ public:
 
     /// To be drawn from any camera, or, where one is given, from that one only: levels of textures that its picture
     /// cannot read are left out (plan/level_plan.h). The scene's texels are not read afterwards, nor those of an image
-    /// after `texelsRead` was called with it: whoever owns the scene may free them then.
+    /// after `texelsRead` was called with it: whoever owns the scene may free them then. Throws TexelsMissing where
+    /// pictures have no texels and `kept` has not all levels that are asked for.
     DeviceScene upload(const Scene& scene, const ShadingPlan& plan, const Camera* onlyCamera = nullptr,
-                       const TexelsRead& texelsRead = {});
+                       const TexelsRead& texelsRead = {}, const KeptLevels& kept = {});
 
     /// Another plan of the same scene, whose materials, lights, environment and settings may have changed since; meshes
     /// and textures are uploaded again only where the plan changes them. `old` was uploaded for any camera.

@@ -22,19 +22,27 @@ vk::Format formatOf(TexelStorage storage)
 
 using WriteLevels = std::function<void(std::span<const LevelMemory>)>;
 
-// `missing` levels before those of the image are no one's.
-void writeInPlace(const gpu::DeviceImage& image, std::size_t missing, const WriteLevels& write)
+/// Where the levels of a texture lie that has been made.
+struct MadeLevels
 {
+    std::vector<LevelMemory> levels;
+    std::optional<gpu::Buffer> staging; // of an image that cannot be read
+};
+
+// `missing` levels before those of the image are no one's.
+MadeLevels writeInPlace(const gpu::DeviceImage& image, std::size_t missing, const WriteLevels& write)
+{
+    std::vector<LevelMemory> levels(missing);
     gpu::writeRows(image, [&](std::span<const gpu::LevelRows> rows) {
-        std::vector<LevelMemory> levels(missing);
         for (const gpu::LevelRows& level : rows)
             levels.push_back({level.texels, level.rowPitch});
         write(levels);
     });
+    return {std::move(levels), std::nullopt};
 }
 
-void copyOver(const gpu::Device& device, const gpu::DeviceImage& image, std::size_t missing, std::size_t texelBytes,
-              const WriteLevels& write)
+MadeLevels copyOver(const gpu::Device& device, const gpu::DeviceImage& image, std::size_t missing,
+                    std::size_t texelBytes, const WriteLevels& write)
 {
     std::vector<std::size_t> offsets, pitches;
     std::size_t size = 0;
@@ -43,7 +51,7 @@ void copyOver(const gpu::Device& device, const gpu::DeviceImage& image, std::siz
         offsets.push_back(size);
         size += pitches.back() * std::max<std::size_t>(1, image.shape.height >> level);
     }
-    const gpu::Buffer staging = gpu::makeBuffer(device, size, vk::BufferUsageFlagBits::eTransferSrc, "texels");
+    gpu::Buffer staging = gpu::makeStagingBuffer(device, size, "texels");
     std::vector<LevelMemory> levels(missing);
     for (std::size_t level = 0; level < offsets.size(); ++level)
         levels.push_back({staging.mapped + offsets[level], pitches[level]});
@@ -51,6 +59,7 @@ void copyOver(const gpu::Device& device, const gpu::DeviceImage& image, std::siz
     gpu::Commands commands(device);
     gpu::copyToImage(commands, staging, image, texelBytes);
     commands.submitAndWait();
+    return {std::move(levels), std::move(staging)};
 }
 
 ChannelPictures picturesOf(const Scene& scene, const PlannedTexture& texture)
@@ -82,8 +91,29 @@ std::array<bool, 4> channelsRead(const PlannedTexture& texture)
     return read;
 }
 
-gpu::DeviceImage makeTexture(const gpu::Device& device, const Scene& scene, const PlannedTexture& texture,
-                             int finestLevel)
+bool hasTexels(const ChannelPictures& pictures)
+{
+    return std::ranges::none_of(pictures.images,
+                                [](const TextureImage* picture) { return picture && picture->texels.empty(); });
+}
+
+/// What is to be kept of a texture that was made.
+struct KeepTask
+{
+    ContentHash key;
+    PlannedTexture texture;
+    std::size_t texelBytes;
+    MadeLevels made;
+};
+
+struct MadeTexture
+{
+    gpu::DeviceImage image;
+    std::optional<KeepTask> keep;
+};
+
+MadeTexture makeTexture(const gpu::Device& device, const Scene& scene, const PlannedTexture& texture, int finestLevel,
+                        const KeptLevels& kept)
 {
     const ChannelPictures pictures = picturesOf(scene, texture);
     const TextureImage& picture = pictures.any();
@@ -97,18 +127,29 @@ gpu::DeviceImage makeTexture(const gpu::Device& device, const Scene& scene, cons
                                    .mips = static_cast<std::uint32_t>(levelCount - finestLevel),
                                    .format = formatOf(storage)};
     const auto missing = static_cast<std::size_t>(finestLevel);
+    const auto key = kept.textures ? levelsKey(texture, kept.encoded, finestLevel) : std::nullopt;
+    const std::size_t texelBytes = bytesPerTexel(storage);
+    bool wasKept = false;
     const WriteLevels write = [&](std::span<const LevelMemory> levels) {
+        wasKept = key && kept.textures->readLevels(*key, texture, texelBytes, levels);
+        if (wasKept)
+            return;
+        if (!hasTexels(pictures))
+            throw TexelsMissing();
         isOnePicture(pictures) ? writeLevels(picture, rule, levels) : writePackedLevels(pictures, rule, levels);
     };
+    const bool inPlace = gpu::canSampleRows(device, shape);
     using Usage = vk::ImageUsageFlagBits;
-    if (gpu::canSampleRows(device, shape)) {
-        gpu::DeviceImage image = gpu::makeImage(device, shape, Usage::eSampled, picture.name, gpu::ImageTiling::rows);
-        writeInPlace(image, missing, write);
-        return image;
-    }
-    gpu::DeviceImage image = gpu::makeImage(device, shape, Usage::eSampled | Usage::eTransferDst, picture.name);
-    copyOver(device, image, missing, bytesPerTexel(storage), write);
-    return image;
+    MadeTexture result = {
+        .image = gpu::makeImage(device, shape,
+                                inPlace ? vk::ImageUsageFlags(Usage::eSampled) : Usage::eSampled | Usage::eTransferDst,
+                                picture.name, inPlace ? gpu::ImageTiling::rows : gpu::ImageTiling::device),
+        .keep = std::nullopt};
+    MadeLevels made = inPlace ? writeInPlace(result.image, missing, write)
+                              : copyOver(device, result.image, missing, texelBytes, write);
+    if (key && !wasKept)
+        result.keep = KeepTask{*key, texture, texelBytes, std::move(made)};
+    return result;
 }
 
 // By Scene::images: one more than the number of the last texture that reads it; 0 where none does.
@@ -125,7 +166,7 @@ std::vector<std::size_t> lastReaders(const Scene& scene, const ShadingPlan& plan
 } // namespace
 
 Textures::Textures(const gpu::Device& device, const Scene& scene, const ShadingPlan& plan,
-                   std::span<const int> finestLevels, const TexelsRead& texelsRead)
+                   std::span<const int> finestLevels, const TexelsRead& texelsRead, const KeptLevels& kept)
 {
     const std::vector<std::size_t> readers = lastReaders(scene, plan);
     const auto tellRead = [&](std::size_t texturesMade) {
@@ -134,10 +175,14 @@ Textures::Textures(const gpu::Device& device, const Scene& scene, const ShadingP
                 texelsRead(static_cast<int>(image));
     };
     tellRead(0);
+    std::vector<KeepTask> tasks;
     const auto lodBias = static_cast<float>(levelBias(plan.settings));
     for (std::size_t i = 0; i < plan.textures.size(); ++i) {
         const PlannedTexture& texture = plan.textures[i];
-        images.push_back(makeTexture(device, scene, texture, finestLevels[i]));
+        MadeTexture made = makeTexture(device, scene, texture, finestLevels[i], kept);
+        images.push_back(std::move(made.image));
+        if (made.keep)
+            tasks.push_back(std::move(*made.keep));
         gpu::leaveOutUnread(device, images.back(), channelsRead(texture), "texture");
         if (!samplers.contains(texture.sampler))
             samplers.emplace(texture.sampler, makeSampler(device, texture.sampler, lodBias));
@@ -147,6 +192,11 @@ Textures::Textures(const gpu::Device& device, const Scene& scene, const ShadingP
     gpu::Commands commands(device);
     commands.use(uses());
     commands.submitAndWait();
+    if (!tasks.empty()) // while the picture is drawn: nobody waits for a disk
+        keeping = std::async(std::launch::async, [store = kept.textures, tasks = std::move(tasks)] {
+            for (const KeepTask& task : tasks)
+                store->keepLevels(task.key, task.texture, task.texelBytes, task.made.levels);
+        });
 }
 
 const gpu::DeviceImage& Textures::image(int texture) const

@@ -416,7 +416,11 @@ double triangleCount(const Scene& scene, const Draw& draw)
 
 ShadingPlan makePlan(const Scene& scene, const Settings& settings)
 {
-    const std::vector<TexelFacts> facts = texelFacts(scene);
+    return makePlan(scene, texelFacts(scene), settings);
+}
+
+ShadingPlan makePlan(const Scene& scene, std::span<const TexelFacts> facts, const Settings& settings)
+{
     return Planner(scene, facts, settings).run();
 }
 

@@ -11,6 +11,7 @@
 #include "scene/scene.h"
 
 #include <array>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -87,6 +88,8 @@ struct ShadingPlan
 
 /// Throws Error (usage) where methods are combined that no table was made for.
 ShadingPlan makePlan(const Scene& scene, const Settings& settings);
+/// The same, of a scene whose texels are known: nothing asks for them.
+ShadingPlan makePlan(const Scene& scene, std::span<const TexelFacts> facts, const Settings& settings);
 
 /// Of all instances; 0 for an analytic shape.
 double triangleCount(const Scene& scene, const Draw& draw);

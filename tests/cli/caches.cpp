@@ -21,6 +21,8 @@ namespace fs = std::filesystem;
 const std::vector<std::string> kPlane = {"--primitive", "plane", "--metallic", "1",
                                          "--roughness", "1",     "--path",     "attributes"};
 
+const std::vector<std::string> kTextured = {"demo"};
+
 class Caches : public ::testing::Test
 {
 protected:
@@ -58,17 +60,30 @@ protected:
     }
 
     /// Draws with caches that `damage` was done to: the same picture, and nothing said.
-    void stillDraws(const std::function<void()>& damage)
+    void stillDraws(const std::function<void()>& damage, const std::vector<std::string>& what = kPlane)
     {
-        ASSERT_EQ(render("good.png").exitCode, 0);
+        ASSERT_EQ(render("good.png", what).exitCode, 0);
         damage();
-        const Outcome outcome = render("again.png");
+        const Outcome outcome = render("again.png", what);
         EXPECT_EQ(outcome.exitCode, 0) << outcome.errors;
         EXPECT_EQ(outcome.errors, "");
         EXPECT_EQ(contentOf(folder.file("again.png")), contentOf(folder.file("good.png")));
     }
 
+    /// The second half of each file below a part of the caches.
+    void spoil(const std::string& part) const
+    {
+        for (const auto& [path, content] : files(part)) {
+            std::string damaged = content;
+            for (std::size_t at = damaged.size() / 2; at < damaged.size(); at += 7)
+                damaged[at] = static_cast<char>(damaged[at] ^ 0x55);
+            std::ofstream(path, std::ios::binary) << damaged;
+        }
+    }
+
     static constexpr const char* kDriver = "mesa_shader_cache/";
+    static constexpr const char* kTextures = "/textures/";
+    static constexpr const char* kPictures = "/pictures/";
     static constexpr const char* kScenes = "dense, one"; // of one material
     TestFolder folder;
 };
@@ -157,14 +172,64 @@ TEST_F(Caches, AFullDiskIsWarnedOfOnce)
 
 TEST_F(Caches, DamagedFilesAreMadeAnew)
 {
-    stillDraws([&] {
-        for (const auto& [path, content] : files()) {
-            std::string damaged = content;
-            for (std::size_t at = damaged.size() / 2; at < damaged.size(); at += 7)
-                damaged[at] = static_cast<char>(damaged[at] ^ 0x55);
-            std::ofstream(path, std::ios::binary) << damaged;
-        }
-    });
+    stillDraws([&] { spoil(""); });
+}
+
+TEST_F(Caches, ASecondRunDecodesNoPicture)
+{
+    ASSERT_EQ(render("a.png", kTextured).exitCode, 0);
+    ASSERT_EQ(render("b.png", kTextured).exitCode, 0);
+    EXPECT_GT(json("a.png.json")["pictures_decoded"], 3);
+    EXPECT_EQ(json("b.png.json")["pictures_decoded"], 0);
+    EXPECT_EQ(contentOf(folder.file("a.png")), contentOf(folder.file("b.png")));
+    ASSERT_EQ(render("c.png", {"demo", "--no-cache"}).exitCode, 0);
+    EXPECT_EQ(contentOf(folder.file("a.png")), contentOf(folder.file("c.png")));
+}
+
+// What is certified is compared with the texels, which are decoded whatever the caches hold.
+TEST_F(Caches, ACertifiedPictureIsThatOfTheFile)
+{
+    const std::vector<std::string> certified = {"demo", "--certify", "16"};
+    ASSERT_EQ(render("a.png", kTextured).exitCode, 0);
+    ASSERT_EQ(render("b.png", certified).exitCode, 0);
+    EXPECT_EQ(json("b.png.json")["pictures_decoded"], json("a.png.json")["pictures_decoded"]);
+    EXPECT_EQ(contentOf(folder.file("a.png")), contentOf(folder.file("b.png")));
+}
+
+TEST_F(Caches, AnotherViewReadsThePicturesAgainWhereItNeedsOtherLevels)
+{
+    const std::vector<std::string> near = {"demo", "--orbit", "20,70,0.4"};
+    ASSERT_EQ(render("far.png", kTextured).exitCode, 0);
+    ASSERT_EQ(render("near.png", near).exitCode, 0);
+    EXPECT_GT(json("near.png.json")["pictures_decoded"], 0);
+    ASSERT_EQ(render("fresh.png", near, folder.file("other")).exitCode, 0);
+    EXPECT_EQ(contentOf(folder.file("near.png")), contentOf(folder.file("fresh.png")));
+    ASSERT_EQ(render("again.png", near).exitCode, 0);
+    EXPECT_EQ(json("again.png.json")["pictures_decoded"], 0);
+}
+
+TEST_F(Caches, AMaterialFromTheCommandLineIsNotTakenForTheFiles)
+{
+    const std::vector<std::string> mapped = {
+        "demo", "--maps", std::string(TORRANCE_BINARY_DIR) + "/share/torrance/assets/maps/worn_copper"};
+    ASSERT_EQ(render("demo.png", kTextured).exitCode, 0);
+    ASSERT_EQ(render("maps.png", mapped).exitCode, 0);
+    ASSERT_EQ(render("fresh.png", mapped, folder.file("other")).exitCode, 0);
+    EXPECT_EQ(contentOf(folder.file("maps.png")), contentOf(folder.file("fresh.png")));
+}
+
+TEST_F(Caches, DamagedTexturesAreMadeAnew)
+{
+    for (const char* part : {kTextures, kPictures}) {
+        stillDraws([&] { spoil(part); }, kTextured);
+        EXPECT_GT(json("again.png.json")["pictures_decoded"], 0) << part;
+    }
+}
+
+TEST_F(Caches, TexturesThatMadeRoomAreMadeAnew)
+{
+    stillDraws([&] { fs::remove(files(kTextures).begin()->first); }, kTextured);
+    EXPECT_GT(json("again.png.json")["pictures_decoded"], 0);
 }
 
 TEST_F(Caches, TruncatedFilesAreMadeAnew)
