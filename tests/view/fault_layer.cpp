@@ -8,17 +8,17 @@
 //   submit lost            from then on the device is lost: whatever is submitted or waited for says so
 //
 // "<file>.swapchains" gets a byte longer with each swapchain that is made.
+#include "vulkan_layer.h"
+
 #include <atomic>
 #include <cstdio>
 #include <cstdlib>
-#include <cstring>
 #include <filesystem>
 #include <fstream>
 #include <mutex>
 #include <string>
-#include <vulkan/vk_layer.h>
-#include <vulkan/vulkan.h>
 
+namespace torrance::test {
 namespace {
 
 PFN_vkGetInstanceProcAddr nextInstanceProc = nullptr;
@@ -122,26 +122,10 @@ VKAPI_ATTR VkResult VKAPI_CALL createSwapchain(VkDevice device, const VkSwapchai
     return next<PFN_vkCreateSwapchainKHR>("vkCreateSwapchainKHR")(device, info, allocator, swapchain);
 }
 
-// The loader hands each layer the next one's functions in a chain of structs.
-template <typename LinkInfo>
-LinkInfo* linkOf(const void* chain, VkStructureType type)
-{
-    for (auto* info = static_cast<const LinkInfo*>(chain); info; info = static_cast<const LinkInfo*>(info->pNext))
-        if (info->sType == type && info->function == VK_LAYER_LINK_INFO)
-            return const_cast<LinkInfo*>(info);
-    return nullptr;
-}
-
 VKAPI_ATTR VkResult VKAPI_CALL createInstance(const VkInstanceCreateInfo* info, const VkAllocationCallbacks* allocator,
                                               VkInstance* instance)
 {
-    auto* link = linkOf<VkLayerInstanceCreateInfo>(info->pNext, VK_STRUCTURE_TYPE_LOADER_INSTANCE_CREATE_INFO);
-    if (!link)
-        return VK_ERROR_INITIALIZATION_FAILED;
-    nextInstanceProc = link->u.pLayerInfo->pfnNextGetInstanceProcAddr;
-    link->u.pLayerInfo = link->u.pLayerInfo->pNext;
-    const auto create = reinterpret_cast<PFN_vkCreateInstance>(nextInstanceProc(VK_NULL_HANDLE, "vkCreateInstance"));
-    const VkResult result = create(info, allocator, instance);
+    const VkResult result = createNextInstance(info, allocator, instance, nextInstanceProc);
     theInstance = *instance;
     return result;
 }
@@ -149,73 +133,49 @@ VKAPI_ATTR VkResult VKAPI_CALL createInstance(const VkInstanceCreateInfo* info, 
 VKAPI_ATTR VkResult VKAPI_CALL createDevice(VkPhysicalDevice physical, const VkDeviceCreateInfo* info,
                                             const VkAllocationCallbacks* allocator, VkDevice* device)
 {
-    auto* link = linkOf<VkLayerDeviceCreateInfo>(info->pNext, VK_STRUCTURE_TYPE_LOADER_DEVICE_CREATE_INFO);
-    if (!link)
-        return VK_ERROR_INITIALIZATION_FAILED;
-    nextDeviceProc = link->u.pLayerInfo->pfnNextGetDeviceProcAddr;
-    const auto create = reinterpret_cast<PFN_vkCreateDevice>(
-        link->u.pLayerInfo->pfnNextGetInstanceProcAddr(theInstance, "vkCreateDevice"));
-    link->u.pLayerInfo = link->u.pLayerInfo->pNext;
-    const VkResult result = create(physical, info, allocator, device);
+    const VkResult result = createNextDevice(theInstance, physical, info, allocator, device, nextDeviceProc);
     theDevice = *device;
     return result;
 }
 
 PFN_vkVoidFunction deviceProc(VkDevice device, const char* name);
+PFN_vkVoidFunction instanceProc(VkInstance instance, const char* name);
 
-PFN_vkVoidFunction ownProc(const char* name)
-{
-    struct Row
-    {
-        const char* name;
-        PFN_vkVoidFunction function;
-    };
-#define TORRANCE_ROW(NAME, FUNCTION)                                                                                   \
-    {                                                                                                                  \
-        NAME, reinterpret_cast<PFN_vkVoidFunction>(FUNCTION)                                                           \
-    }
-    static const Row kRows[] = {
-        TORRANCE_ROW("vkGetDeviceProcAddr", deviceProc),       TORRANCE_ROW("vkQueueSubmit2", queueSubmit2),
-        TORRANCE_ROW("vkWaitForFences", waitForFences),        TORRANCE_ROW("vkDeviceWaitIdle", deviceWaitIdle),
-        TORRANCE_ROW("vkQueuePresentKHR", queuePresent),       TORRANCE_ROW("vkAcquireNextImageKHR", acquireNextImage),
-        TORRANCE_ROW("vkCreateSwapchainKHR", createSwapchain),
-    };
-#undef TORRANCE_ROW
-    for (const Row& row : kRows)
-        if (std::strcmp(row.name, name) == 0)
-            return row.function;
-    return nullptr;
-}
+const LayerFunction kDeviceFunctions[] = {
+    TORRANCE_LAYER_FUNCTION(vkGetDeviceProcAddr, deviceProc),
+    TORRANCE_LAYER_FUNCTION(vkQueueSubmit2, queueSubmit2),
+    TORRANCE_LAYER_FUNCTION(vkWaitForFences, waitForFences),
+    TORRANCE_LAYER_FUNCTION(vkDeviceWaitIdle, deviceWaitIdle),
+    TORRANCE_LAYER_FUNCTION(vkQueuePresentKHR, queuePresent),
+    TORRANCE_LAYER_FUNCTION(vkAcquireNextImageKHR, acquireNextImage),
+    TORRANCE_LAYER_FUNCTION(vkCreateSwapchainKHR, createSwapchain),
+};
+const LayerFunction kInstanceFunctions[] = {
+    TORRANCE_LAYER_FUNCTION(vkGetInstanceProcAddr, instanceProc),
+    TORRANCE_LAYER_FUNCTION(vkCreateInstance, createInstance),
+    TORRANCE_LAYER_FUNCTION(vkCreateDevice, createDevice),
+};
 
 PFN_vkVoidFunction deviceProc(VkDevice device, const char* name)
 {
-    const PFN_vkVoidFunction own = ownProc(name);
+    const PFN_vkVoidFunction own = find(kDeviceFunctions, name);
     return own ? own : nextDeviceProc(device, name);
 }
 
 PFN_vkVoidFunction instanceProc(VkInstance instance, const char* name)
 {
-    if (std::strcmp(name, "vkGetInstanceProcAddr") == 0)
-        return reinterpret_cast<PFN_vkVoidFunction>(instanceProc);
-    if (std::strcmp(name, "vkCreateInstance") == 0)
-        return reinterpret_cast<PFN_vkVoidFunction>(createInstance);
-    if (std::strcmp(name, "vkCreateDevice") == 0)
-        return reinterpret_cast<PFN_vkVoidFunction>(createDevice);
-    const PFN_vkVoidFunction own = ownProc(name);
-    return own ? own : nextInstanceProc(instance, name);
+    if (const PFN_vkVoidFunction own = find(kInstanceFunctions, name))
+        return own;
+    if (const PFN_vkVoidFunction own = find(kDeviceFunctions, name))
+        return own;
+    return nextInstanceProc(instance, name);
 }
 
 } // namespace
+} // namespace torrance::test
 
 extern "C" VK_LAYER_EXPORT VKAPI_ATTR VkResult VKAPI_CALL
 vkNegotiateLoaderLayerInterfaceVersion(VkNegotiateLayerInterface* interface)
 {
-    constexpr std::uint32_t kVersion = 2; // the first with this function
-    if (interface->loaderLayerInterfaceVersion < kVersion)
-        return VK_ERROR_INITIALIZATION_FAILED;
-    interface->loaderLayerInterfaceVersion = kVersion;
-    interface->pfnGetInstanceProcAddr = instanceProc;
-    interface->pfnGetDeviceProcAddr = deviceProc;
-    interface->pfnGetPhysicalDeviceProcAddr = nullptr;
-    return VK_SUCCESS;
+    return torrance::test::negotiate(interface, torrance::test::instanceProc, torrance::test::deviceProc);
 }

@@ -8,20 +8,21 @@
 #define VK_USE_PLATFORM_XLIB_KHR
 #define VULKAN_HPP_DISPATCH_LOADER_DYNAMIC 1
 #define VULKAN_HPP_NO_STRUCT_CONSTRUCTORS
+#include "vulkan_layer.h"
+
 #include <algorithm>
 #include <cstdlib>
-#include <cstring>
 #include <memory>
 #include <mutex>
 #include <span>
 #include <tuple>
 #include <utility>
 #include <vector>
-#include <vulkan/vk_layer.h>
 #include <vulkan/vulkan.hpp>
 
 VULKAN_HPP_DEFAULT_DISPATCH_LOADER_DYNAMIC_STORAGE
 
+namespace torrance::test {
 namespace {
 
 const auto& next = VULKAN_HPP_DEFAULT_DISPATCHER; // the device's functions in the layer below, or in the driver
@@ -400,27 +401,10 @@ VKAPI_ATTR VkResult VKAPI_CALL setObjectName(VkDevice device, const VkDebugUtils
         device, info);
 }
 
-// The loader hands each layer the next one's functions, and its own, in a chain of structs.
-template <typename LinkInfo>
-LinkInfo* linkOf(const void* chain, VkStructureType type, VkLayerFunction function)
-{
-    for (auto* info = static_cast<const LinkInfo*>(chain); info; info = static_cast<const LinkInfo*>(info->pNext))
-        if (info->sType == type && info->function == function)
-            return const_cast<LinkInfo*>(info);
-    return nullptr;
-}
-
 VKAPI_ATTR VkResult VKAPI_CALL createInstance(const VkInstanceCreateInfo* info, const VkAllocationCallbacks* allocator,
                                               VkInstance* instance)
 {
-    auto* link = linkOf<VkLayerInstanceCreateInfo>(info->pNext, VK_STRUCTURE_TYPE_LOADER_INSTANCE_CREATE_INFO,
-                                                   VK_LAYER_LINK_INFO);
-    if (!link)
-        return VK_ERROR_INITIALIZATION_FAILED;
-    nextInstanceProc = link->u.pLayerInfo->pfnNextGetInstanceProcAddr;
-    link->u.pLayerInfo = link->u.pLayerInfo->pNext;
-    const auto create = reinterpret_cast<PFN_vkCreateInstance>(nextInstanceProc(VK_NULL_HANDLE, "vkCreateInstance"));
-    const VkResult result = create(info, allocator, instance);
+    const VkResult result = createNextInstance(info, allocator, instance, nextInstanceProc);
     theInstance = *instance;
     return result;
 }
@@ -428,17 +412,12 @@ VKAPI_ATTR VkResult VKAPI_CALL createInstance(const VkInstanceCreateInfo* info, 
 VKAPI_ATTR VkResult VKAPI_CALL createDevice(VkPhysicalDevice physical, const VkDeviceCreateInfo* info,
                                             const VkAllocationCallbacks* allocator, VkDevice* device)
 {
-    constexpr VkStructureType kType = VK_STRUCTURE_TYPE_LOADER_DEVICE_CREATE_INFO;
-    auto* link = linkOf<VkLayerDeviceCreateInfo>(info->pNext, kType, VK_LAYER_LINK_INFO);
-    const auto* callback = linkOf<VkLayerDeviceCreateInfo>(info->pNext, kType, VK_LOADER_DATA_CALLBACK);
-    if (!link || !callback)
+    const auto* callback = linkOf<VkLayerDeviceCreateInfo>(info->pNext, VK_STRUCTURE_TYPE_LOADER_DEVICE_CREATE_INFO,
+                                                           VK_LOADER_DATA_CALLBACK);
+    if (!callback)
         return VK_ERROR_INITIALIZATION_FAILED;
     setLoaderData = callback->u.pfnSetDeviceLoaderData;
-    nextDeviceProc = link->u.pLayerInfo->pfnNextGetDeviceProcAddr;
-    const auto create = reinterpret_cast<PFN_vkCreateDevice>(
-        link->u.pLayerInfo->pfnNextGetInstanceProcAddr(theInstance, "vkCreateDevice"));
-    link->u.pLayerInfo = link->u.pLayerInfo->pNext;
-    const VkResult result = create(physical, info, allocator, device);
+    const VkResult result = createNextDevice(theInstance, physical, info, allocator, device, nextDeviceProc);
     if (result != VK_SUCCESS)
         return result;
     theDevice = *device;
@@ -451,81 +430,56 @@ VKAPI_ATTR VkResult VKAPI_CALL createDevice(VkPhysicalDevice physical, const VkD
 
 PFN_vkVoidFunction deviceProc(VkDevice device, const char* name);
 
-struct Row
-{
-    const char* name;
-    PFN_vkVoidFunction function;
-};
-
-template <typename Function>
-Row row(const char* name, Function function)
-{
-    return {name, reinterpret_cast<PFN_vkVoidFunction>(function)};
-}
-
-#define TORRANCE_ROW(NAME, FUNCTION) row<PFN_##NAME>(#NAME, FUNCTION)
-const Row kDeviceRows[] = {
-    TORRANCE_ROW(vkGetDeviceProcAddr, deviceProc),
-    TORRANCE_ROW(vkGetDeviceQueue, getDeviceQueue),
-    TORRANCE_ROW(vkQueueSubmit, queueSubmit),
-    TORRANCE_ROW(vkQueueSubmit2, queueSubmit2),
-    TORRANCE_ROW(vkQueueWaitIdle, queueWaitIdle),
-    TORRANCE_ROW(vkDeviceWaitIdle, deviceWaitIdle),
-    TORRANCE_ROW(vkCreateSwapchainKHR, createSwapchain),
-    TORRANCE_ROW(vkDestroySwapchainKHR, destroySwapchain),
-    TORRANCE_ROW(vkGetSwapchainImagesKHR, getSwapchainImages),
-    TORRANCE_ROW(vkAcquireNextImageKHR, acquireNextImage),
-    TORRANCE_ROW(vkQueuePresentKHR, queuePresent),
-    TORRANCE_ROW(vkSetDebugUtilsObjectNameEXT, setObjectName),
+const LayerFunction kDeviceFunctions[] = {
+    TORRANCE_LAYER_FUNCTION(vkGetDeviceProcAddr, deviceProc),
+    TORRANCE_LAYER_FUNCTION(vkGetDeviceQueue, getDeviceQueue),
+    TORRANCE_LAYER_FUNCTION(vkQueueSubmit, queueSubmit),
+    TORRANCE_LAYER_FUNCTION(vkQueueSubmit2, queueSubmit2),
+    TORRANCE_LAYER_FUNCTION(vkQueueWaitIdle, queueWaitIdle),
+    TORRANCE_LAYER_FUNCTION(vkDeviceWaitIdle, deviceWaitIdle),
+    TORRANCE_LAYER_FUNCTION(vkCreateSwapchainKHR, createSwapchain),
+    TORRANCE_LAYER_FUNCTION(vkDestroySwapchainKHR, destroySwapchain),
+    TORRANCE_LAYER_FUNCTION(vkGetSwapchainImagesKHR, getSwapchainImages),
+    TORRANCE_LAYER_FUNCTION(vkAcquireNextImageKHR, acquireNextImage),
+    TORRANCE_LAYER_FUNCTION(vkQueuePresentKHR, queuePresent),
+    TORRANCE_LAYER_FUNCTION(vkSetDebugUtilsObjectNameEXT, setObjectName),
 };
 PFN_vkVoidFunction instanceProc(VkInstance instance, const char* name);
-const Row kInstanceRows[] = {
-    TORRANCE_ROW(vkGetInstanceProcAddr, instanceProc),
-    TORRANCE_ROW(vkCreateInstance, createInstance),
-    TORRANCE_ROW(vkCreateDevice, createDevice),
-    TORRANCE_ROW(vkCreateXlibSurfaceKHR, createXlibSurface),
-    TORRANCE_ROW(vkCreateXcbSurfaceKHR, createXcbSurface),
-    TORRANCE_ROW(vkDestroySurfaceKHR, destroySurface),
-    TORRANCE_ROW(vkGetPhysicalDeviceXlibPresentationSupportKHR, getXlibSupport),
-    TORRANCE_ROW(vkGetPhysicalDeviceXcbPresentationSupportKHR, getXcbSupport),
-    TORRANCE_ROW(vkGetPhysicalDeviceSurfaceSupportKHR, getSurfaceSupport),
-    TORRANCE_ROW(vkGetPhysicalDeviceSurfaceCapabilitiesKHR, getSurfaceCapabilities),
-    TORRANCE_ROW(vkGetPhysicalDeviceSurfaceFormatsKHR, getSurfaceFormats),
-    TORRANCE_ROW(vkGetPhysicalDeviceSurfacePresentModesKHR, getSurfacePresentModes),
+const LayerFunction kInstanceFunctions[] = {
+    TORRANCE_LAYER_FUNCTION(vkGetInstanceProcAddr, instanceProc),
+    TORRANCE_LAYER_FUNCTION(vkCreateInstance, createInstance),
+    TORRANCE_LAYER_FUNCTION(vkCreateDevice, createDevice),
+    TORRANCE_LAYER_FUNCTION(vkCreateXlibSurfaceKHR, createXlibSurface),
+    TORRANCE_LAYER_FUNCTION(vkCreateXcbSurfaceKHR, createXcbSurface),
+    TORRANCE_LAYER_FUNCTION(vkDestroySurfaceKHR, destroySurface),
+    TORRANCE_LAYER_FUNCTION(vkGetPhysicalDeviceXlibPresentationSupportKHR, getXlibSupport),
+    TORRANCE_LAYER_FUNCTION(vkGetPhysicalDeviceXcbPresentationSupportKHR, getXcbSupport),
+    TORRANCE_LAYER_FUNCTION(vkGetPhysicalDeviceSurfaceSupportKHR, getSurfaceSupport),
+    TORRANCE_LAYER_FUNCTION(vkGetPhysicalDeviceSurfaceCapabilitiesKHR, getSurfaceCapabilities),
+    TORRANCE_LAYER_FUNCTION(vkGetPhysicalDeviceSurfaceFormatsKHR, getSurfaceFormats),
+    TORRANCE_LAYER_FUNCTION(vkGetPhysicalDeviceSurfacePresentModesKHR, getSurfacePresentModes),
 };
-#undef TORRANCE_ROW
-
-PFN_vkVoidFunction find(std::span<const Row> rows, const char* name)
-{
-    const auto row = std::ranges::find_if(rows, [&](const Row& r) { return std::strcmp(r.name, name) == 0; });
-    return row == rows.end() ? nullptr : row->function;
-}
 
 PFN_vkVoidFunction deviceProc(VkDevice device, const char* name)
 {
-    const PFN_vkVoidFunction own = find(kDeviceRows, name);
+    const PFN_vkVoidFunction own = find(kDeviceFunctions, name);
     return own ? own : nextDeviceProc(device, name);
 }
 
 PFN_vkVoidFunction instanceProc(VkInstance instance, const char* name)
 {
-    for (const std::span<const Row> rows : {std::span<const Row>(kInstanceRows), std::span<const Row>(kDeviceRows)})
-        if (const PFN_vkVoidFunction own = find(rows, name))
-            return own;
+    if (const PFN_vkVoidFunction own = find(kInstanceFunctions, name))
+        return own;
+    if (const PFN_vkVoidFunction own = find(kDeviceFunctions, name))
+        return own;
     return nextInstanceProc(instance, name);
 }
 
 } // namespace
+} // namespace torrance::test
 
 extern "C" VK_LAYER_EXPORT VKAPI_ATTR VkResult VKAPI_CALL
 vkNegotiateLoaderLayerInterfaceVersion(VkNegotiateLayerInterface* interface)
 {
-    constexpr std::uint32_t kVersion = 2; // the first with this function
-    if (interface->loaderLayerInterfaceVersion < kVersion)
-        return VK_ERROR_INITIALIZATION_FAILED;
-    interface->loaderLayerInterfaceVersion = kVersion;
-    interface->pfnGetInstanceProcAddr = instanceProc;
-    interface->pfnGetDeviceProcAddr = deviceProc;
-    interface->pfnGetPhysicalDeviceProcAddr = nullptr;
-    return VK_SUCCESS;
+    return torrance::test::negotiate(interface, torrance::test::instanceProc, torrance::test::deviceProc);
 }
