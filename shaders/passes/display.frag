@@ -21,6 +21,6 @@ void main()
     vec3 codes = clamp(TRANSFER(TONE(straight * display.gain + display.shift)), 0.0, 1.0);
     ivec2 square = pixel / int(kCheckPixels);
     float check = ((square.x + square.y) & 1) == 0 ? kDarkCheck : kLightCheck;
-    // Rounded here: a device may take either of the two nearest codes (Vulkan 1.3, section 3.9.2), and on a real GPU 2 % were not a file's.
+    // Rounded here: a device may take either of the two nearest codes (Vulkan 1.3, section 3.9.2), and on a real GPU up to 3 % were not a file's.
     outCode = vec4(floor(mix(vec3(check), codes, coverage) * kMostCode + 0.5) / kMostCode, 1.0);
 }

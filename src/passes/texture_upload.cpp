@@ -22,15 +22,8 @@ vk::Format formatOf(TexelStorage storage)
 
 using WriteLevels = std::function<void(std::span<const LevelMemory>)>;
 
-/// Where the levels of a texture lie that has been made.
-struct MadeLevels
-{
-    std::vector<LevelMemory> levels;
-    std::optional<gpu::Buffer> staging; // of an image that cannot be read
-};
-
 // `missing` levels before those of the image are no one's.
-MadeLevels writeInPlace(const gpu::DeviceImage& image, std::size_t missing, const WriteLevels& write)
+void writeInPlace(const gpu::DeviceImage& image, std::size_t missing, const WriteLevels& write)
 {
     std::vector<LevelMemory> levels(missing);
     gpu::writeRows(image, [&](std::span<const gpu::LevelRows> rows) {
@@ -38,11 +31,10 @@ MadeLevels writeInPlace(const gpu::DeviceImage& image, std::size_t missing, cons
             levels.push_back({level.texels, level.rowPitch});
         write(levels);
     });
-    return {std::move(levels), std::nullopt};
 }
 
-MadeLevels copyOver(const gpu::Device& device, const gpu::DeviceImage& image, std::size_t missing,
-                    std::size_t texelBytes, const WriteLevels& write)
+void copyOver(const gpu::Device& device, const gpu::DeviceImage& image, std::size_t missing, std::size_t texelBytes,
+              const WriteLevels& write)
 {
     std::vector<std::size_t> offsets, pitches;
     std::size_t size = 0;
@@ -51,7 +43,7 @@ MadeLevels copyOver(const gpu::Device& device, const gpu::DeviceImage& image, st
         offsets.push_back(size);
         size += pitches.back() * std::max<std::size_t>(1, image.shape.height >> level);
     }
-    gpu::Buffer staging = gpu::makeStagingBuffer(device, size, "texels");
+    const gpu::Buffer staging = gpu::makeStagingBuffer(device, size, "texels");
     std::vector<LevelMemory> levels(missing);
     for (std::size_t level = 0; level < offsets.size(); ++level)
         levels.push_back({staging.mapped + offsets[level], pitches[level]});
@@ -59,7 +51,6 @@ MadeLevels copyOver(const gpu::Device& device, const gpu::DeviceImage& image, st
     gpu::Commands commands(device);
     gpu::copyToImage(commands, staging, image, texelBytes);
     commands.submitAndWait();
-    return {std::move(levels), std::move(staging)};
 }
 
 ChannelPictures picturesOf(const Scene& scene, const PlannedTexture& texture)
@@ -97,13 +88,13 @@ bool hasTexels(const ChannelPictures& pictures)
                                 [](const TextureImage* picture) { return picture && picture->texels.empty(); });
 }
 
-/// What is to be kept of a texture that was made.
+/// What is to be kept of a texture that was made, read where its image has it.
 struct KeepTask
 {
     ContentHash key;
     PlannedTexture texture;
     std::size_t texelBytes;
-    MadeLevels made;
+    std::vector<LevelMemory> levels;
 };
 
 struct MadeTexture
@@ -129,15 +120,6 @@ MadeTexture makeTexture(const gpu::Device& device, const Scene& scene, const Pla
     const auto missing = static_cast<std::size_t>(finestLevel);
     const auto key = kept.textures ? levelsKey(texture, kept.encoded, finestLevel) : std::nullopt;
     const std::size_t texelBytes = bytesPerTexel(storage);
-    bool wasKept = false;
-    const WriteLevels write = [&](std::span<const LevelMemory> levels) {
-        wasKept = key && kept.textures->readLevels(*key, texture, texelBytes, levels);
-        if (wasKept)
-            return;
-        if (!hasTexels(pictures))
-            throw TexelsMissing();
-        isOnePicture(pictures) ? writeLevels(picture, rule, levels) : writePackedLevels(pictures, rule, levels);
-    };
     const bool inPlace = gpu::canSampleRows(device, shape);
     using Usage = vk::ImageUsageFlagBits;
     MadeTexture result = {
@@ -145,10 +127,18 @@ MadeTexture makeTexture(const gpu::Device& device, const Scene& scene, const Pla
                                 inPlace ? vk::ImageUsageFlags(Usage::eSampled) : Usage::eSampled | Usage::eTransferDst,
                                 picture.name, inPlace ? gpu::ImageTiling::rows : gpu::ImageTiling::device),
         .keep = std::nullopt};
-    MadeLevels made = inPlace ? writeInPlace(result.image, missing, write)
-                              : copyOver(device, result.image, missing, texelBytes, write);
-    if (key && !wasKept)
-        result.keep = KeepTask{*key, texture, texelBytes, std::move(made)};
+    const WriteLevels write = [&](std::span<const LevelMemory> levels) {
+        if (key && kept.textures->readLevels(*key, texture, texelBytes, levels))
+            return;
+        if (!hasTexels(pictures))
+            throw TexelsMissing();
+        isOnePicture(pictures) ? writeLevels(picture, rule, levels) : writePackedLevels(pictures, rule, levels);
+        if (key && inPlace)
+            result.keep = KeepTask{*key, texture, texelBytes, {levels.begin(), levels.end()}};
+        else if (key) // what is copied from goes with the copy
+            kept.textures->keepLevels(*key, texture, texelBytes, levels);
+    };
+    inPlace ? writeInPlace(result.image, missing, write) : copyOver(device, result.image, missing, texelBytes, write);
     return result;
 }
 
@@ -195,7 +185,7 @@ Textures::Textures(const gpu::Device& device, const Scene& scene, const ShadingP
     if (!tasks.empty()) // while the picture is drawn: nobody waits for a disk
         keeping = std::async(std::launch::async, [store = kept.textures, tasks = std::move(tasks)] {
             for (const KeepTask& task : tasks)
-                store->keepLevels(task.key, task.texture, task.texelBytes, task.made.levels);
+                store->keepLevels(task.key, task.texture, task.texelBytes, task.levels);
         });
 }
 

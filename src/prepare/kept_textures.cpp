@@ -11,7 +11,7 @@ namespace {
 constexpr int kPictureVersion = 1, kLevelsVersion = 1;
 
 constexpr std::uintmax_t kMaxPictureBytes = 1u << 20; // some eight thousand pictures
-constexpr std::uintmax_t kMaxLevelBytes = 1u << 30;   // some dozen models
+constexpr std::uintmax_t kMaxLevelBytes = 1u << 30;   // eight models like WaterBottle, by its greatest levels
 
 ContentHash pictureKey(const ContentHash& encoded)
 {

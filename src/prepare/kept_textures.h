@@ -52,9 +52,8 @@ private:
 /// kept.
 std::vector<TexelFacts> texelFacts(const Scene& scene, std::span<const ContentHash> encoded, KeptTextures& kept);
 
-/// Of the levels of a texture from `finestLevel` on; nothing where the encoded bytes behind a picture of it are not
-/// known
-/// (`encoded`, by Scene::images, may be empty).
+/// Of the levels of a texture from `finestLevel` on; nothing where nobody knows the encoded bytes behind its pictures:
+/// `encoded`, by Scene::images, is empty then.
 std::optional<ContentHash> levelsKey(const PlannedTexture& texture, std::span<const ContentHash> encoded,
                                      int finestLevel);
 

@@ -21,9 +21,6 @@
 namespace torrance::test {
 namespace {
 
-PFN_vkGetInstanceProcAddr nextInstanceProc = nullptr;
-PFN_vkGetDeviceProcAddr nextDeviceProc = nullptr;
-VkInstance theInstance = VK_NULL_HANDLE;
 VkDevice theDevice = VK_NULL_HANDLE;
 std::atomic<bool> lost = false;
 
@@ -122,27 +119,15 @@ VKAPI_ATTR VkResult VKAPI_CALL createSwapchain(VkDevice device, const VkSwapchai
     return next<PFN_vkCreateSwapchainKHR>("vkCreateSwapchainKHR")(device, info, allocator, swapchain);
 }
 
-VKAPI_ATTR VkResult VKAPI_CALL createInstance(const VkInstanceCreateInfo* info, const VkAllocationCallbacks* allocator,
-                                              VkInstance* instance)
-{
-    const VkResult result = createNextInstance(info, allocator, instance, nextInstanceProc);
-    theInstance = *instance;
-    return result;
-}
-
 VKAPI_ATTR VkResult VKAPI_CALL createDevice(VkPhysicalDevice physical, const VkDeviceCreateInfo* info,
                                             const VkAllocationCallbacks* allocator, VkDevice* device)
 {
-    const VkResult result = createNextDevice(theInstance, physical, info, allocator, device, nextDeviceProc);
+    const VkResult result = createNextDevice(physical, info, allocator, device);
     theDevice = *device;
     return result;
 }
 
-PFN_vkVoidFunction deviceProc(VkDevice device, const char* name);
-PFN_vkVoidFunction instanceProc(VkInstance instance, const char* name);
-
 const LayerFunction kDeviceFunctions[] = {
-    TORRANCE_LAYER_FUNCTION(vkGetDeviceProcAddr, deviceProc),
     TORRANCE_LAYER_FUNCTION(vkQueueSubmit2, queueSubmit2),
     TORRANCE_LAYER_FUNCTION(vkWaitForFences, waitForFences),
     TORRANCE_LAYER_FUNCTION(vkDeviceWaitIdle, deviceWaitIdle),
@@ -151,31 +136,18 @@ const LayerFunction kDeviceFunctions[] = {
     TORRANCE_LAYER_FUNCTION(vkCreateSwapchainKHR, createSwapchain),
 };
 const LayerFunction kInstanceFunctions[] = {
-    TORRANCE_LAYER_FUNCTION(vkGetInstanceProcAddr, instanceProc),
-    TORRANCE_LAYER_FUNCTION(vkCreateInstance, createInstance),
     TORRANCE_LAYER_FUNCTION(vkCreateDevice, createDevice),
 };
 
-PFN_vkVoidFunction deviceProc(VkDevice device, const char* name)
+std::span<const LayerFunction> instanceFunctions()
 {
-    const PFN_vkVoidFunction own = find(kDeviceFunctions, name);
-    return own ? own : nextDeviceProc(device, name);
+    return kInstanceFunctions;
 }
 
-PFN_vkVoidFunction instanceProc(VkInstance instance, const char* name)
+std::span<const LayerFunction> deviceFunctions()
 {
-    if (const PFN_vkVoidFunction own = find(kInstanceFunctions, name))
-        return own;
-    if (const PFN_vkVoidFunction own = find(kDeviceFunctions, name))
-        return own;
-    return nextInstanceProc(instance, name);
+    return kDeviceFunctions;
 }
 
 } // namespace
 } // namespace torrance::test
-
-extern "C" VK_LAYER_EXPORT VKAPI_ATTR VkResult VKAPI_CALL
-vkNegotiateLoaderLayerInterfaceVersion(VkNegotiateLayerInterface* interface)
-{
-    return torrance::test::negotiate(interface, torrance::test::instanceProc, torrance::test::deviceProc);
-}

@@ -26,10 +26,7 @@ namespace torrance::test {
 namespace {
 
 const auto& next = VULKAN_HPP_DEFAULT_DISPATCHER; // the device's functions in the layer below, or in the driver
-PFN_vkGetInstanceProcAddr nextInstanceProc = nullptr;
-PFN_vkGetDeviceProcAddr nextDeviceProc = nullptr;
 PFN_vkSetDeviceLoaderData setLoaderData = nullptr;
-vk::Instance theInstance;
 vk::Device theDevice;
 VkPhysicalDeviceMemoryProperties theMemory = {};
 vk::Queue theQueue;
@@ -401,14 +398,6 @@ VKAPI_ATTR VkResult VKAPI_CALL setObjectName(VkDevice device, const VkDebugUtils
         device, info);
 }
 
-VKAPI_ATTR VkResult VKAPI_CALL createInstance(const VkInstanceCreateInfo* info, const VkAllocationCallbacks* allocator,
-                                              VkInstance* instance)
-{
-    const VkResult result = createNextInstance(info, allocator, instance, nextInstanceProc);
-    theInstance = *instance;
-    return result;
-}
-
 VKAPI_ATTR VkResult VKAPI_CALL createDevice(VkPhysicalDevice physical, const VkDeviceCreateInfo* info,
                                             const VkAllocationCallbacks* allocator, VkDevice* device)
 {
@@ -417,7 +406,7 @@ VKAPI_ATTR VkResult VKAPI_CALL createDevice(VkPhysicalDevice physical, const VkD
     if (!callback)
         return VK_ERROR_INITIALIZATION_FAILED;
     setLoaderData = callback->u.pfnSetDeviceLoaderData;
-    const VkResult result = createNextDevice(theInstance, physical, info, allocator, device, nextDeviceProc);
+    const VkResult result = createNextDevice(physical, info, allocator, device);
     if (result != VK_SUCCESS)
         return result;
     theDevice = *device;
@@ -428,10 +417,7 @@ VKAPI_ATTR VkResult VKAPI_CALL createDevice(VkPhysicalDevice physical, const VkD
     return VK_SUCCESS;
 }
 
-PFN_vkVoidFunction deviceProc(VkDevice device, const char* name);
-
 const LayerFunction kDeviceFunctions[] = {
-    TORRANCE_LAYER_FUNCTION(vkGetDeviceProcAddr, deviceProc),
     TORRANCE_LAYER_FUNCTION(vkGetDeviceQueue, getDeviceQueue),
     TORRANCE_LAYER_FUNCTION(vkQueueSubmit, queueSubmit),
     TORRANCE_LAYER_FUNCTION(vkQueueSubmit2, queueSubmit2),
@@ -444,10 +430,7 @@ const LayerFunction kDeviceFunctions[] = {
     TORRANCE_LAYER_FUNCTION(vkQueuePresentKHR, queuePresent),
     TORRANCE_LAYER_FUNCTION(vkSetDebugUtilsObjectNameEXT, setObjectName),
 };
-PFN_vkVoidFunction instanceProc(VkInstance instance, const char* name);
 const LayerFunction kInstanceFunctions[] = {
-    TORRANCE_LAYER_FUNCTION(vkGetInstanceProcAddr, instanceProc),
-    TORRANCE_LAYER_FUNCTION(vkCreateInstance, createInstance),
     TORRANCE_LAYER_FUNCTION(vkCreateDevice, createDevice),
     TORRANCE_LAYER_FUNCTION(vkCreateXlibSurfaceKHR, createXlibSurface),
     TORRANCE_LAYER_FUNCTION(vkCreateXcbSurfaceKHR, createXcbSurface),
@@ -460,26 +443,15 @@ const LayerFunction kInstanceFunctions[] = {
     TORRANCE_LAYER_FUNCTION(vkGetPhysicalDeviceSurfacePresentModesKHR, getSurfacePresentModes),
 };
 
-PFN_vkVoidFunction deviceProc(VkDevice device, const char* name)
+std::span<const LayerFunction> instanceFunctions()
 {
-    const PFN_vkVoidFunction own = find(kDeviceFunctions, name);
-    return own ? own : nextDeviceProc(device, name);
+    return kInstanceFunctions;
 }
 
-PFN_vkVoidFunction instanceProc(VkInstance instance, const char* name)
+std::span<const LayerFunction> deviceFunctions()
 {
-    if (const PFN_vkVoidFunction own = find(kInstanceFunctions, name))
-        return own;
-    if (const PFN_vkVoidFunction own = find(kDeviceFunctions, name))
-        return own;
-    return nextInstanceProc(instance, name);
+    return kDeviceFunctions;
 }
 
 } // namespace
 } // namespace torrance::test
-
-extern "C" VK_LAYER_EXPORT VKAPI_ATTR VkResult VKAPI_CALL
-vkNegotiateLoaderLayerInterfaceVersion(VkNegotiateLayerInterface* interface)
-{
-    return torrance::test::negotiate(interface, torrance::test::instanceProc, torrance::test::deviceProc);
-}

@@ -1,4 +1,5 @@
-// What any Vulkan layer needs: the next one of the chain, and its own functions by name.
+// What any Vulkan layer needs: the next one of the chain, and its own functions by name. For the one file of a layer,
+// which defines instanceFunctions() and deviceFunctions().
 #pragma once
 
 #include <cstdint>
@@ -19,36 +20,6 @@ LinkInfo* linkOf(const void* chain, VkStructureType type, VkLayerFunction functi
     return nullptr;
 }
 
-/// Has the next layer, or the driver, make the instance; `proc` finds its functions.
-inline VkResult createNextInstance(const VkInstanceCreateInfo* info, const VkAllocationCallbacks* allocator,
-                                   VkInstance* instance, PFN_vkGetInstanceProcAddr& proc)
-{
-    auto* link = linkOf<VkLayerInstanceCreateInfo>(info->pNext, VK_STRUCTURE_TYPE_LOADER_INSTANCE_CREATE_INFO,
-                                                   VK_LAYER_LINK_INFO);
-    if (!link)
-        return VK_ERROR_INITIALIZATION_FAILED;
-    proc = link->u.pLayerInfo->pfnNextGetInstanceProcAddr;
-    link->u.pLayerInfo = link->u.pLayerInfo->pNext;
-    const auto create = reinterpret_cast<PFN_vkCreateInstance>(proc(VK_NULL_HANDLE, "vkCreateInstance"));
-    return create(info, allocator, instance);
-}
-
-/// The same of a device of `instance`.
-inline VkResult createNextDevice(VkInstance instance, VkPhysicalDevice physical, const VkDeviceCreateInfo* info,
-                                 const VkAllocationCallbacks* allocator, VkDevice* device,
-                                 PFN_vkGetDeviceProcAddr& proc)
-{
-    auto* link =
-        linkOf<VkLayerDeviceCreateInfo>(info->pNext, VK_STRUCTURE_TYPE_LOADER_DEVICE_CREATE_INFO, VK_LAYER_LINK_INFO);
-    if (!link)
-        return VK_ERROR_INITIALIZATION_FAILED;
-    proc = link->u.pLayerInfo->pfnNextGetDeviceProcAddr;
-    const auto create = reinterpret_cast<PFN_vkCreateDevice>(
-        link->u.pLayerInfo->pfnNextGetInstanceProcAddr(instance, "vkCreateDevice"));
-    link->u.pLayerInfo = link->u.pLayerInfo->pNext;
-    return create(physical, info, allocator, device);
-}
-
 /// A function of the layer's own.
 struct LayerFunction
 {
@@ -62,8 +33,21 @@ LayerFunction layerFunction(const char* name, Function function)
     return {name, reinterpret_cast<PFN_vkVoidFunction>(function)};
 }
 
-/// The one of this name, or null.
-inline PFN_vkVoidFunction find(std::span<const LayerFunction> functions, const char* name)
+/// A row of a table of them: the function has Vulkan's type of this name.
+#define TORRANCE_LAYER_FUNCTION(NAME, FUNCTION) torrance::test::layerFunction<PFN_##NAME>(#NAME, FUNCTION)
+
+// Each layer's own, though a process may load several: what is inline would be one for all of them.
+namespace {
+
+PFN_vkGetInstanceProcAddr nextInstanceProc = nullptr;
+PFN_vkGetDeviceProcAddr nextDeviceProc = nullptr;
+VkInstance theInstance = VK_NULL_HANDLE;
+
+/// What the layer does itself, besides what is here; everything else goes to the next one.
+std::span<const LayerFunction> instanceFunctions();
+std::span<const LayerFunction> deviceFunctions();
+
+PFN_vkVoidFunction find(std::span<const LayerFunction> functions, const char* name)
 {
     for (const LayerFunction& each : functions)
         if (std::strcmp(each.name, name) == 0)
@@ -71,21 +55,69 @@ inline PFN_vkVoidFunction find(std::span<const LayerFunction> functions, const c
     return nullptr;
 }
 
-/// Of vkNegotiateLoaderLayerInterfaceVersion, by which the loader finds everything else.
-inline VkResult negotiate(VkNegotiateLayerInterface* interface, PFN_vkGetInstanceProcAddr instanceProc,
-                          PFN_vkGetDeviceProcAddr deviceProc)
+VKAPI_ATTR VkResult VKAPI_CALL createInstance(const VkInstanceCreateInfo* info, const VkAllocationCallbacks* allocator,
+                                              VkInstance* instance)
+{
+    auto* link = linkOf<VkLayerInstanceCreateInfo>(info->pNext, VK_STRUCTURE_TYPE_LOADER_INSTANCE_CREATE_INFO,
+                                                   VK_LAYER_LINK_INFO);
+    if (!link)
+        return VK_ERROR_INITIALIZATION_FAILED;
+    nextInstanceProc = link->u.pLayerInfo->pfnNextGetInstanceProcAddr;
+    link->u.pLayerInfo = link->u.pLayerInfo->pNext;
+    const auto create = reinterpret_cast<PFN_vkCreateInstance>(nextInstanceProc(VK_NULL_HANDLE, "vkCreateInstance"));
+    const VkResult result = create(info, allocator, instance);
+    theInstance = *instance;
+    return result;
+}
+
+/// Has the next layer, or the driver, make a device.
+VkResult createNextDevice(VkPhysicalDevice physical, const VkDeviceCreateInfo* info,
+                          const VkAllocationCallbacks* allocator, VkDevice* device)
+{
+    auto* link =
+        linkOf<VkLayerDeviceCreateInfo>(info->pNext, VK_STRUCTURE_TYPE_LOADER_DEVICE_CREATE_INFO, VK_LAYER_LINK_INFO);
+    if (!link)
+        return VK_ERROR_INITIALIZATION_FAILED;
+    nextDeviceProc = link->u.pLayerInfo->pfnNextGetDeviceProcAddr;
+    const auto create = reinterpret_cast<PFN_vkCreateDevice>(
+        link->u.pLayerInfo->pfnNextGetInstanceProcAddr(theInstance, "vkCreateDevice"));
+    link->u.pLayerInfo = link->u.pLayerInfo->pNext;
+    return create(physical, info, allocator, device);
+}
+
+PFN_vkVoidFunction deviceProc(VkDevice device, const char* name)
+{
+    if (std::strcmp(name, "vkGetDeviceProcAddr") == 0)
+        return layerFunction<PFN_vkGetDeviceProcAddr>(name, deviceProc).function;
+    const PFN_vkVoidFunction own = find(deviceFunctions(), name);
+    return own ? own : nextDeviceProc(device, name);
+}
+
+PFN_vkVoidFunction instanceProc(VkInstance instance, const char* name)
+{
+    const LayerFunction here[] = {TORRANCE_LAYER_FUNCTION(vkGetInstanceProcAddr, instanceProc),
+                                  TORRANCE_LAYER_FUNCTION(vkGetDeviceProcAddr, deviceProc),
+                                  TORRANCE_LAYER_FUNCTION(vkCreateInstance, createInstance)};
+    for (const std::span<const LayerFunction> functions :
+         {std::span<const LayerFunction>(here), instanceFunctions(), deviceFunctions()})
+        if (const PFN_vkVoidFunction own = find(functions, name))
+            return own;
+    return nextInstanceProc(instance, name);
+}
+
+} // namespace
+} // namespace torrance::test
+
+/// By which the loader finds everything else.
+extern "C" VK_LAYER_EXPORT VKAPI_ATTR VkResult VKAPI_CALL
+vkNegotiateLoaderLayerInterfaceVersion(VkNegotiateLayerInterface* interface)
 {
     constexpr std::uint32_t kVersion = 2; // the first with this function
     if (interface->loaderLayerInterfaceVersion < kVersion)
         return VK_ERROR_INITIALIZATION_FAILED;
     interface->loaderLayerInterfaceVersion = kVersion;
-    interface->pfnGetInstanceProcAddr = instanceProc;
-    interface->pfnGetDeviceProcAddr = deviceProc;
+    interface->pfnGetInstanceProcAddr = torrance::test::instanceProc;
+    interface->pfnGetDeviceProcAddr = torrance::test::deviceProc;
     interface->pfnGetPhysicalDeviceProcAddr = nullptr;
     return VK_SUCCESS;
 }
-
-} // namespace torrance::test
-
-/// A row of a table of the layer's own functions: the function has Vulkan's type of this name.
-#define TORRANCE_LAYER_FUNCTION(NAME, FUNCTION) torrance::test::layerFunction<PFN_##NAME>(#NAME, FUNCTION)

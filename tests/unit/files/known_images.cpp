@@ -18,9 +18,8 @@ struct ThreePictures
     {
         GltfBuilder builder = GltfBuilder::triangle();
         builder.primitive()["material"] = 0;
-        builder.append("images", {{"bufferView", builder.addView(first)}, {"mimeType", "image/png"}});
-        builder.append("images", {{"bufferView", builder.addView(second)}, {"mimeType", "image/png"}});
-        builder.append("images", {{"bufferView", builder.addView(third)}, {"mimeType", "image/png"}});
+        for (const auto* picture : {&first, &second, &third})
+            builder.append("images", {{"bufferView", builder.addView(*picture)}, {"mimeType", "image/png"}});
         builder.json["textures"] = {{{"source", 0}}, {{"source", 1}}, {{"source", 2}}};
         builder.json["materials"] = {{{"pbrMetallicRoughness", {{"baseColorTexture", {{"index", 0}}}}},
                                       {"normalTexture", {{"index", 1}}},
