@@ -1,6 +1,6 @@
 #include "passes/mesh_buffers.h"
 
-#include "prepare/tangents.h"
+#include "scene/tangents.h"
 
 #include <algorithm>
 #include <cstring>

@@ -1,11 +1,13 @@
 #include "reference/ray_caster.h"
 
 #include "reference/analytic_shape.h"
+#include "scene/tangents.h"
 
 #include <algorithm>
 #include <cmath>
 #include <embree3/rtcore.h>
 #include <limits>
+#include <map>
 #include <stdexcept>
 #include <string>
 
@@ -98,6 +100,20 @@ void attachInstance(RTCDevice device, RTCScene rays, const Scene& scene, std::si
     rtcAttachGeometryByID(rays, geometry.get(), static_cast<unsigned int>(index));
 }
 
+/// The meshes that a normal map bends and that bring no tangents, with tangents; by Scene::primitives.
+std::map<int, Primitive> tangentMeshes(const Scene& scene)
+{
+    std::map<int, Primitive> meshes;
+    for (const Instance& instance : scene.instances) {
+        const Primitive& mesh = scene.primitives[static_cast<std::size_t>(instance.primitive)];
+        const TextureUse& map = materialOf(scene, mesh.material).normal;
+        if (map.used() && mesh.topology == Topology::triangles && mesh.tangents.empty() && !mesh.normals.empty() &&
+            !mesh.uvs[static_cast<std::size_t>(map.uvSet)].empty() && !meshes.contains(instance.primitive))
+            meshes.emplace(instance.primitive, makeTangents(mesh, map.uvSet, map.transform));
+    }
+    return meshes;
+}
+
 std::optional<Hit> closestShape(const Query& query)
 {
     const auto& [context, caster, ray, beyond, farthest, faces, accept] = query;
@@ -172,6 +188,7 @@ struct RayCaster::State
 {
     const Scene* scene;
     dvec3 origin;
+    std::map<int, Primitive> tangentMeshes;
     DevicePointer device;
     ScenePointer rays;
 };
@@ -180,6 +197,7 @@ RayCaster::RayCaster(const Scene& scene, const dvec3& origin) : state(std::make_
 {
     state->scene = &scene;
     state->origin = origin;
+    state->tangentMeshes = tangentMeshes(scene);
     state->device.reset(rtcNewDevice("threads=1"));
     if (!state->device)
         throw std::runtime_error("Embree gives no device");
@@ -205,6 +223,14 @@ const Scene& RayCaster::scene() const
 const dvec3& RayCaster::origin() const
 {
     return state->origin;
+}
+
+const Primitive& RayCaster::meshOf(int instance) const
+{
+    const int primitive = state->scene->instances[static_cast<std::size_t>(instance)].primitive;
+    const auto made = state->tangentMeshes.find(primitive);
+    return made != state->tangentMeshes.end() ? made->second
+                                              : state->scene->primitives[static_cast<std::size_t>(primitive)];
 }
 
 std::optional<Hit> RayCaster::closest(const Ray& ray, double beyond, const Accept& accept, Faces faces) const

@@ -57,6 +57,10 @@ public:
     const Scene& scene() const;
     const dvec3& origin() const;
 
+    /// The mesh of an instance. Where its material has a normal map and it brings no tangents, it is a copy with those
+    /// of MikkTSpace (glTF 2.0, section 3.7.2.1): the same triangles, but other numbers of vertices.
+    const Primitive& meshOf(int instance) const;
+
 private:
     struct State;
     std::unique_ptr<State> state;

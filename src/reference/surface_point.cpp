@@ -35,11 +35,10 @@ struct Corners
     dvec3 weights;
 };
 
-Corners cornersOf(const Scene& scene, const Hit& hit)
+Corners cornersOf(const RayCaster& caster, const Hit& hit)
 {
-    const Instance& instance = scene.instances[static_cast<std::size_t>(hit.instance)];
-    const Primitive& primitive = scene.primitives[static_cast<std::size_t>(instance.primitive)];
-    const dmat3 matrix(instance.worldFromObject);
+    const Primitive& primitive = caster.meshOf(hit.instance);
+    const dmat3 matrix(caster.scene().instances[static_cast<std::size_t>(hit.instance)].worldFromObject);
     const std::size_t first = 3 * static_cast<std::size_t>(hit.triangle);
     return {primitive,
             matrix,
@@ -109,7 +108,7 @@ SurfacePoint shapePoint(const RayCaster& caster, const Ray& ray, const Hit& hit)
 
 SurfacePoint trianglePoint(const RayCaster& caster, const Hit& hit, const QuadRays* quad)
 {
-    const Corners c = cornersOf(caster.scene(), hit);
+    const Corners c = cornersOf(caster, hit);
     const std::array<dvec3, 3> places = triangleCorners(caster.scene(), hit.instance, hit.triangle, caster.origin());
     SurfacePoint point;
     point.position = c.weights[0] * places[0] + c.weights[1] * places[1] + c.weights[2] * places[2];

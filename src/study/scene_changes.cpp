@@ -1,6 +1,6 @@
 #include "study/scene_changes.h"
 
-#include "prepare/tangents.h"
+#include "scene/tangents.h"
 
 #include <algorithm>
 #include <cmath>

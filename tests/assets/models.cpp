@@ -2,7 +2,6 @@
 #include "files/scene_file.h"
 #include "image/mesh_truth.h"
 #include "image/scenes.h"
-#include "prepare/tangents.h"
 #include "scene/camera_fit.h"
 
 #include <algorithm>
@@ -26,17 +25,6 @@ std::vector<std::string> modelPaths()
     return paths;
 }
 
-/// The tangents that the renderer would make, so that both sides start from the same frame.
-void addTangents(const Scene& scene, Primitive& primitive)
-{
-    if (primitive.material < 0 || !primitive.tangents.empty() || primitive.normals.empty() ||
-        primitive.topology != Topology::triangles)
-        return;
-    const TextureUse& map = scene.materials[static_cast<std::size_t>(primitive.material)].normal;
-    if (map.used())
-        primitive = makeTangents(primitive, map.uvSet, map.transform);
-}
-
 /// What the ray caster does not do is taken out: mips, blending, points and lines. One directional light.
 Scene comparable(Scene scene)
 {
@@ -50,8 +38,6 @@ Scene comparable(Scene scene)
     std::erase_if(scene.instances, [&](const Instance& i) {
         return scene.primitives[static_cast<std::size_t>(i.primitive)].topology != Topology::triangles;
     });
-    for (Primitive& primitive : scene.primitives)
-        addTangents(scene, primitive);
     Light light;
     light.intensity = 3.0;
     light.direction = glm::normalize(dvec3(-0.4, -0.5, -1.0));

@@ -41,6 +41,15 @@ TEST(TexturedMesh, MirroredAndSkewedNodesAreLitAlike)
     expectDrawnAsCast(scene, camera, settingsOf("gltf", 96), kTolerance, "torus-mirrored");
 }
 
+TEST(TexturedMesh, TangentsThatTheFileDoesNotBring)
+{
+    Scene scene = texturedTorus();
+    scene.primitives[0].tangents.clear();
+    scene.lights.push_back(testLight(Light::Kind::directional));
+    const Camera camera = fitCamera(scene, {0.4, 1.0}, 1.0, 0.7, 0.05);
+    expectDrawnAsCast(scene, camera, settingsOf("gltf", 96), kTolerance, "torus-without-tangents");
+}
+
 TEST(TexturedMesh, AMillionMetresFromTheOrigin)
 {
     Scene scene = texturedTorus();

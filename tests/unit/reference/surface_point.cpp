@@ -124,6 +124,22 @@ TEST(AnalyticShape, FarSmallSphereKeepsItsNormal)
     EXPECT_NEAR(glm::length(hit->normal), 1.0, 1e-15);
 }
 
+TEST(SurfacePoint, AMeshWithoutTangentsTakesThoseOfItsNormalMap)
+{
+    Scene scene = squareScene();
+    scene.primitives[0].tangents.clear();
+    const Ray ray{dvec3(0.1, 0.2, 1.0), dvec3(0, 0, -1)};
+    EXPECT_FALSE(pointSeen(RayCaster(scene, dvec3(0)), ray).frame) << "no map asks for one";
+    TextureUse& map = scene.materials[0].normal;
+    map.texture = 0;
+    const auto frameOf = [&] { return pointSeen(RayCaster(scene, dvec3(0)), ray).frame.value_or(TangentFrame{}); };
+    EXPECT_LT(glm::distance(frameOf().tangent, dvec3(1, 0, 0)), 1e-7);
+    EXPECT_LT(glm::distance(frameOf().bitangent, dvec3(0, 1, 0)), 1e-7);
+    map.transform = glm::dmat3x2(0.0, 1.0, -1.0, 0.0, 0.0, 0.0); // u' = -v grows along +Y, v' = u falls along -X
+    EXPECT_LT(glm::distance(frameOf().tangent, dvec3(0, 1, 0)), 1e-7);
+    EXPECT_LT(glm::distance(frameOf().bitangent, dvec3(-1, 0, 0)), 1e-7);
+}
+
 TEST(AnalyticShape, SidesAndMisses)
 {
     const AnalyticShape sphere;

@@ -1,4 +1,4 @@
-#include "prepare/tangents.h"
+#include "scene/tangents.h"
 
 #include <algorithm>
 #include <array>
