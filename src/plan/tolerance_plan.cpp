@@ -95,6 +95,15 @@ bool isNearest(const TolerancePlan& plan)
     return std::ranges::all_of(plan.ladders, [](const MethodLadder& ladder) { return ladder.isHighest(); });
 }
 
+bool goNearest(TolerancePlan& plan)
+{
+    if (isNearest(plan))
+        return false;
+    for (MethodLadder& ladder : plan.ladders)
+        ladder.at = ladder.rungs.size() - 1;
+    return true;
+}
+
 Remarks remarksOf(const TolerancePlan& plan)
 {
     Remarks remarks;

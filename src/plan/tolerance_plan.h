@@ -44,8 +44,9 @@ inline constexpr double kAim = 0.75;
 /// is the table's own, for errors of two methods say little of each other. False where all are at their highest.
 bool stepUp(TolerancePlan& plan, double measured, std::string_view blamed = {});
 
-/// Every slot at its highest: nothing that there is comes nearer.
+/// Every slot at its highest: nothing that there is comes nearer. goNearest() takes them there; false where they were.
 bool isNearest(const TolerancePlan& plan);
+bool goNearest(TolerancePlan& plan);
 
 /// One line each: choices with their expected share, what they save against the nearest, and what was refused and why.
 Remarks remarksOf(const TolerancePlan& plan);

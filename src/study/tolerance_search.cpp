@@ -45,10 +45,7 @@ std::string obstacleOf(const ToleranceResult& result)
         return what + ": its interval is too wide, and more pixels (--certify N) or directions (--certify "
                       "noise=SHARE) narrow it";
     const WorstFound& worst = *result.certificate.worst;
-    return what +
-           (isNearest(result.plan) ? " with the nearest methods there are"
-                                   : fmt::format(" after {} steps", kMostSteps)) +
-           "; at the worst pixel it comes from " +
+    return what + " with the nearest methods there are; at the worst pixel it comes from " +
            (worst.cause.method.empty() ? worst.cause.slot : worst.cause.slot + " " + worst.cause.method);
 }
 
@@ -94,7 +91,8 @@ ToleranceResult drawWithin(const ToleranceTask& task, const std::function<const 
         result.trials.push_back(std::move(trial));
         result.holds = isWithin(task.tolerance, error) && result.certificate.nonFinite == 0;
         if (!result.holds && step < kMostSteps &&
-            stepUp(result.plan, error.mean.value, result.certificate.worst->cause.slot))
+            (step + 1 == kMostSteps ? goNearest(result.plan)
+                                    : stepUp(result.plan, error.mean.value, result.certificate.worst->cause.slot)))
             continue;
         if (!result.holds)
             result.obstacle = obstacleOf(result);

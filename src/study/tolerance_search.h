@@ -8,7 +8,8 @@
 
 namespace torrance {
 
-/// After the first picture, methods go up this many times at most.
+/// After the first picture, methods go up this many times at most; the last time to the nearest there are, so that what
+/// is not within then is out of reach of all of them.
 inline constexpr int kMostSteps = 4;
 /// Where values are within kAim of the tolerance (with the last methods, within it) and an interval is not, the same
 /// picture is compared at four times the pixels, up to this many: a few bad pixels widen the interval more than a
