@@ -26,7 +26,7 @@ namespace {
 namespace fs = std::filesystem;
 using namespace std::chrono_literals;
 
-/// The head of a file. The content follows, and nothing after it.
+/// The head of a file. The content follows at contentOffset(), and nothing after it.
 struct Header
 {
     std::array<char, 8> magic; // its digit is the layout's version
@@ -35,7 +35,15 @@ struct Header
     ContentHash checksum; // of the content
 };
 static_assert(sizeof(Header) == 48);
-constexpr std::array<char, 8> kMagic = {'T', 'O', 'R', 'C', 'A', 'C', 'H', '2'};
+constexpr std::array<char, 8> kMagic = {'T', 'O', 'R', 'C', 'A', 'C', 'H', '3'};
+
+/// From this size on, content begins on a page of its own, so that it can be mapped.
+constexpr std::uint64_t kMappedFrom = 64u << 10;
+
+constexpr std::size_t contentOffset(std::uint64_t size)
+{
+    return size < kMappedFrom ? sizeof(Header) : kPageBytes;
+}
 
 /// A write for every entry that is read would be many: what was used within a day counts as used now.
 constexpr auto kUsedLately = 24h;
@@ -171,6 +179,21 @@ bool KeptResult::isIntact() const
     return left == 0 && hasher.finish() == expected;
 }
 
+std::optional<MappedFile> KeptResult::map()
+{
+    constexpr std::size_t kPiece = 1u << 20; // of it that is counted as this process's while it is checked
+    if (left < kMappedFrom)
+        return std::nullopt;
+    auto file = MappedFile::open(descriptor, contentOffset(left), left);
+    for (std::size_t at = 0; file && at < file->bytes().size(); at += kPiece) {
+        const std::size_t count = std::min(kPiece, file->bytes().size() - at);
+        hasher.addPart(file->bytes().subspan(at, count));
+        file->release(at, count);
+    }
+    left = 0;
+    return file && isIntact() ? std::move(file) : std::nullopt;
+}
+
 std::optional<KeptResult> openResult(const fs::path& file, const ContentHash& key)
 {
     Descriptor descriptor(open(file.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK)); // of a pipe, do not wait
@@ -180,7 +203,8 @@ std::optional<KeptResult> openResult(const fs::path& file, const ContentHash& ke
         !readFully(descriptor.number, &header, sizeof header))
         return std::nullopt;
     if (header.magic != kMagic || header.key != key ||
-        static_cast<std::uint64_t>(status.st_size) - sizeof header != header.size)
+        static_cast<std::uint64_t>(status.st_size) != contentOffset(header.size) + header.size ||
+        lseek(descriptor.number, static_cast<off_t>(contentOffset(header.size)), SEEK_SET) < 0)
         return std::nullopt;
     return KeptResult(descriptor.release(), header.size, header.checksum);
 }
@@ -194,7 +218,9 @@ void writeResult(const fs::path& file, const ContentHash& key, std::span<const s
         hasher.addPart(part);
     }
     header.checksum = hasher.finish();
-    std::vector<std::span<const std::byte>> all = {std::as_bytes(std::span(&header, 1))};
+    static constexpr std::array<std::byte, kPageBytes> kNothing{};
+    std::vector<std::span<const std::byte>> all = {
+        std::as_bytes(std::span(&header, 1)), std::span(kNothing).first(contentOffset(header.size) - sizeof header)};
     all.insert(all.end(), parts.begin(), parts.end());
     writeFile(file, all);
 }
@@ -232,9 +258,10 @@ void DiskCache::store(const ContentHash& key, std::span<const std::byte> bytes)
 
 void DiskCache::store(const ContentHash& key, std::span<const std::span<const std::byte>> parts)
 {
-    std::uintmax_t size = sizeof(Header);
+    std::uintmax_t size = 0;
     for (const auto part : parts)
         size += part.size();
+    size += contentOffset(size);
     if (folder.empty() || size > maxBytes)
         return;
     std::error_code failure;

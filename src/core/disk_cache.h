@@ -3,6 +3,7 @@
 #pragma once
 
 #include "core/content_hash.h"
+#include "core/mapped_file.h"
 
 #include <cstddef>
 #include <cstdint>
@@ -31,6 +32,10 @@ public:
 
     /// After all was read: whether it is what was stored. Until then nothing that was read is to be trusted.
     bool isIntact() const;
+
+    /// In place of reading it: all of it as memory, checked. Nothing where it is not what was stored, where it is too
+    /// small to begin on a page of its own, and where the system does not map it.
+    std::optional<MappedFile> map();
 
 private:
     friend std::optional<KeptResult> openResult(const std::filesystem::path& file, const ContentHash& key);

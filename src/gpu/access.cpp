@@ -86,6 +86,7 @@ Barriers barriersBefore(std::span<const ImageUse> images, std::span<const Buffer
         const AccessState next = stateOf(use.access);
         AccessHistory& history = *use.history;
         const Layout oldLayout = history.layout;
+        const std::uint32_t family = history.takenOverBy;
         const Wait wait = advance(history, next, oldLayout != next.layout);
         history.layout = next.layout;
         if (!wait.needed)
@@ -97,8 +98,9 @@ Barriers barriersBefore(std::span<const ImageUse> images, std::span<const Buffer
              .dstAccessMask = next.access,
              .oldLayout = use.discard ? Layout::eUndefined : oldLayout,
              .newLayout = next.layout,
-             .srcQueueFamilyIndex = VK_QUEUE_FAMILY_IGNORED,
-             .dstQueueFamilyIndex = VK_QUEUE_FAMILY_IGNORED,
+             .srcQueueFamilyIndex =
+                 family == VK_QUEUE_FAMILY_IGNORED ? VK_QUEUE_FAMILY_IGNORED : VK_QUEUE_FAMILY_EXTERNAL,
+             .dstQueueFamilyIndex = family,
              .image = use.image,
              .subresourceRange = {use.aspect, 0, VK_REMAINING_MIP_LEVELS, 0, VK_REMAINING_ARRAY_LAYERS}});
     }

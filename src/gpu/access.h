@@ -44,6 +44,8 @@ struct AccessHistory
     vk::PipelineStageFlags2 visibleStages;
     vk::AccessFlags2 visibleAccess;
     vk::ImageLayout layout = vk::ImageLayout::eUndefined;
+    /// The queue family that takes over, at the next change of layout, what others have filled the image with.
+    std::uint32_t takenOverBy = VK_QUEUE_FAMILY_IGNORED;
 };
 
 /// What a pass does with one image or buffer (whole, all mips and layers).
@@ -75,7 +77,7 @@ struct Barriers
 /// - read after write: wait for the write, make it visible; later reads in a stage that has seen it wait for nothing;
 /// - write after read: wait for the reads, no memory to make visible;
 /// - write after write: both;
-/// - a change of layout is a write.
+/// - a change of layout is a write, and takes over what was there (AccessHistory::takenOverBy).
 Barriers barriersBefore(std::span<const ImageUse> images, std::span<const BufferUse> buffers);
 
 } // namespace torrance::gpu

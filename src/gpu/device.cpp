@@ -200,6 +200,11 @@ bool Device::samplesDepth() const
     return gpu::samplesDepth(physical);
 }
 
+bool Device::importsHostPages() const
+{
+    return gpu::importsHostPages(physical);
+}
+
 std::uint32_t Device::memoryType(std::uint32_t allowedTypes, vk::MemoryPropertyFlags wanted,
                                  vk::MemoryPropertyFlags preferred) const
 {

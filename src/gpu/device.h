@@ -73,6 +73,8 @@ public:
     bool computes(Precision precision) const;
     /// Whether depth can be drawn for four samples of a pixel, at Vulkan's standard places.
     bool samplesDepth() const;
+    /// Whether makeImageOver() takes the host's pages.
+    bool importsHostPages() const;
     std::uint32_t memoryType(std::uint32_t allowedTypes, vk::MemoryPropertyFlags wanted,
                              vk::MemoryPropertyFlags preferred) const;
 

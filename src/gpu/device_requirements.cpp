@@ -1,5 +1,7 @@
 #include "gpu/device_requirements.h"
 
+#include "core/mapped_file.h"
+
 #include <algorithm>
 #include <array>
 
@@ -140,6 +142,15 @@ bool samplesDepth(const vk::raii::PhysicalDevice& physical)
            (limits.sampledImageDepthSampleCounts & kFour) && physical.getFeatures().sampleRateShading;
 }
 
+bool importsHostPages(const vk::raii::PhysicalDevice& physical)
+{
+    if (!hasExtension(physical.enumerateDeviceExtensionProperties(), VK_EXT_EXTERNAL_MEMORY_HOST_EXTENSION_NAME))
+        return false;
+    const auto chain =
+        physical.getProperties2<vk::PhysicalDeviceProperties2, vk::PhysicalDeviceExternalMemoryHostPropertiesEXT>();
+    return chain.get<vk::PhysicalDeviceExternalMemoryHostPropertiesEXT>().minImportedHostPointerAlignment <= kPageBytes;
+}
+
 bool supportsSwapchain(const vk::raii::PhysicalDevice& physical)
 {
     return hasExtension(physical.enumerateDeviceExtensionProperties(), VK_KHR_SWAPCHAIN_EXTENSION_NAME);
@@ -148,6 +159,8 @@ bool supportsSwapchain(const vk::raii::PhysicalDevice& physical)
 vk::raii::Device makeDevice(const vk::raii::PhysicalDevice& physical, std::uint32_t queueFamily, bool shows)
 {
     std::vector<const char*> extensions(kExtensions.begin(), kExtensions.end());
+    if (importsHostPages(physical))
+        extensions.push_back(VK_EXT_EXTERNAL_MEMORY_HOST_EXTENSION_NAME);
     if (shows)
         extensions.push_back(VK_KHR_SWAPCHAIN_EXTENSION_NAME);
     const float priority = 1.0f;

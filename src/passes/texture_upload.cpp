@@ -1,5 +1,6 @@
 #include "passes/texture_upload.h"
 
+#include "core/parallel.h"
 #include "gpu/buffer.h"
 #include "gpu/commands.h"
 #include "gpu/unread_channels.h"
@@ -18,39 +19,6 @@ vk::Format formatOf(TexelStorage storage)
     constexpr std::array kFormats = {vk::Format::eR8G8B8A8Unorm, vk::Format::eR16G16B16A16Unorm,
                                      vk::Format::eR16G16B16A16Sfloat, vk::Format::eR32G32B32A32Sfloat};
     return kFormats[static_cast<std::size_t>(storage)];
-}
-
-using WriteLevels = std::function<void(std::span<const LevelMemory>)>;
-
-// `missing` levels before those of the image are no one's.
-void writeInPlace(const gpu::DeviceImage& image, std::size_t missing, const WriteLevels& write)
-{
-    std::vector<LevelMemory> levels(missing);
-    gpu::writeRows(image, [&](std::span<const gpu::LevelRows> rows) {
-        for (const gpu::LevelRows& level : rows)
-            levels.push_back({level.texels, level.rowPitch});
-        write(levels);
-    });
-}
-
-void copyOver(const gpu::Device& device, const gpu::DeviceImage& image, std::size_t missing, std::size_t texelBytes,
-              const WriteLevels& write)
-{
-    std::vector<std::size_t> offsets, pitches;
-    std::size_t size = 0;
-    for (std::uint32_t level = 0; level < image.shape.mips; ++level) {
-        pitches.push_back(std::max<std::size_t>(1, image.shape.width >> level) * texelBytes);
-        offsets.push_back(size);
-        size += pitches.back() * std::max<std::size_t>(1, image.shape.height >> level);
-    }
-    const gpu::Buffer staging = gpu::makeStagingBuffer(device, size, "texels");
-    std::vector<LevelMemory> levels(missing);
-    for (std::size_t level = 0; level < offsets.size(); ++level)
-        levels.push_back({staging.mapped + offsets[level], pitches[level]});
-    write(levels);
-    gpu::Commands commands(device);
-    gpu::copyToImage(commands, staging, image, texelBytes);
-    commands.submitAndWait();
 }
 
 ChannelPictures picturesOf(const Scene& scene, const PlannedTexture& texture)
@@ -88,58 +56,153 @@ bool hasTexels(const ChannelPictures& pictures)
                                 [](const TextureImage* picture) { return picture && picture->texels.empty(); });
 }
 
+/// A texture as its image is to have it.
+struct TextureTask
+{
+    const PlannedTexture& texture;
+    ChannelPictures pictures;
+    MipRule rule = {};
+    std::size_t texelBytes = 0;
+    std::size_t missing = 0; // levels that are no one's, before those of the image
+    gpu::ImageShape shape = {};
+    bool inPlace = false; // the image's memory is written, and no copy of it
+    gpu::RowLayout layout = {};
+    std::optional<ContentHash> key = {}; // of what is kept
+};
+
+/// For a copy to an image: no byte between rows.
+gpu::RowLayout closeLayout(const gpu::ImageShape& shape, std::size_t texelBytes)
+{
+    gpu::RowLayout layout;
+    for (std::uint32_t level = 0; level < shape.mips; ++level) {
+        layout.levels.push_back({layout.bytes, std::max<std::size_t>(1, shape.width >> level) * texelBytes});
+        layout.bytes += layout.levels.back().rowPitch * std::max<std::size_t>(1, shape.height >> level);
+    }
+    return layout;
+}
+
+std::vector<std::size_t> numbersOf(const gpu::RowLayout& layout)
+{
+    std::vector<std::size_t> numbers = {layout.bytes};
+    for (const gpu::RowLayout::Level& level : layout.levels)
+        numbers.insert(numbers.end(), {level.offset, level.rowPitch});
+    return numbers;
+}
+
+TextureTask taskFor(const gpu::Device& device, const Scene& scene, const PlannedTexture& texture, int finestLevel,
+                    const KeptLevels& kept)
+{
+    TextureTask task{.texture = texture, .pictures = picturesOf(scene, texture)};
+    const TextureImage& picture = task.pictures.any();
+    task.rule = {
+        .content = texture.content, .weighByAlpha = texture.weighByAlpha, .lengthInAlpha = texture.lengthInAlpha};
+    const TexelStorage storage = storageOf(task.pictures.format(), task.rule);
+    task.texelBytes = bytesPerTexel(storage);
+    task.missing = static_cast<std::size_t>(finestLevel);
+    const int levelCount = texture.sampler.mip != MipFilter::none ? mipCount(picture.width, picture.height) : 1;
+    task.shape = {.width = static_cast<std::uint32_t>(std::max(1, picture.width >> finestLevel)),
+                  .height = static_cast<std::uint32_t>(std::max(1, picture.height >> finestLevel)),
+                  .mips = static_cast<std::uint32_t>(levelCount - finestLevel),
+                  .format = formatOf(storage)};
+    task.inPlace = gpu::canSampleRows(device, task.shape);
+    task.layout = task.inPlace ? gpu::rowLayout(device, task.shape) : closeLayout(task.shape, task.texelBytes);
+    if (kept.textures)
+        task.key = levelsKey(texture, kept.encoded, finestLevel, numbersOf(task.layout));
+    return task;
+}
+
+/// What lies between rows, and would be kept with them: whatever was in that memory before.
+void clearGaps(const TextureTask& task, std::byte* memory)
+{
+    std::size_t written = 0;
+    for (std::uint32_t i = 0; i < task.shape.mips; ++i) {
+        const gpu::RowLayout::Level& level = task.layout.levels[i];
+        const std::size_t row = std::max<std::size_t>(1, task.shape.width >> i) * task.texelBytes;
+        for (std::size_t y = 0; y < std::max<std::size_t>(1, task.shape.height >> i); ++y) {
+            const std::size_t begin = level.offset + y * level.rowPitch;
+            std::fill(memory + written, memory + begin, std::byte(0));
+            written = begin + row;
+        }
+    }
+    std::fill(memory + written, memory + task.layout.bytes, std::byte(0));
+}
+
+/// Fills the memory of all levels; true where they were made and not read from what is kept.
+bool fillLevels(const TextureTask& task, const KeptLevels& kept, std::byte* memory)
+{
+    if (task.key && kept.textures->readLevels(*task.key, {memory, task.layout.bytes}))
+        return false;
+    if (!hasTexels(task.pictures))
+        throw TexelsMissing();
+    std::vector<LevelMemory> levels(task.missing);
+    for (const gpu::RowLayout::Level& level : task.layout.levels)
+        levels.push_back({memory + level.offset, level.rowPitch});
+    if (task.key)
+        clearGaps(task, memory);
+    isOnePicture(task.pictures) ? writeLevels(task.pictures.any(), task.rule, levels)
+                                : writePackedLevels(task.pictures, task.rule, levels);
+    return true;
+}
+
 /// What is to be kept of a texture that was made, read where its image has it.
 struct KeepTask
 {
     ContentHash key;
-    PlannedTexture texture;
-    std::size_t texelBytes;
-    std::vector<LevelMemory> levels;
+    std::span<const std::byte> memory;
 };
 
 struct MadeTexture
 {
     gpu::DeviceImage image;
-    std::optional<KeepTask> keep;
+    std::optional<KeepTask> keep = {};
 };
 
-MadeTexture makeTexture(const gpu::Device& device, const Scene& scene, const PlannedTexture& texture, int finestLevel,
-                        const KeptLevels& kept)
+MadeTexture makeInPlace(const gpu::Device& device, const TextureTask& task, const KeptLevels& kept)
 {
-    const ChannelPictures pictures = picturesOf(scene, texture);
-    const TextureImage& picture = pictures.any();
-    const MipRule rule = {
-        .content = texture.content, .weighByAlpha = texture.weighByAlpha, .lengthInAlpha = texture.lengthInAlpha};
-    const TexelStorage storage = storageOf(pictures.format(), rule);
-    const bool mips = texture.sampler.mip != MipFilter::none;
-    const int levelCount = mips ? mipCount(picture.width, picture.height) : 1;
-    const gpu::ImageShape shape = {.width = static_cast<std::uint32_t>(std::max(1, picture.width >> finestLevel)),
-                                   .height = static_cast<std::uint32_t>(std::max(1, picture.height >> finestLevel)),
-                                   .mips = static_cast<std::uint32_t>(levelCount - finestLevel),
-                                   .format = formatOf(storage)};
-    const auto missing = static_cast<std::size_t>(finestLevel);
-    const auto key = kept.textures ? levelsKey(texture, kept.encoded, finestLevel) : std::nullopt;
-    const std::size_t texelBytes = bytesPerTexel(storage);
-    const bool inPlace = gpu::canSampleRows(device, shape);
+    MadeTexture made = {.image = gpu::makeImage(device, task.shape, vk::ImageUsageFlagBits::eSampled,
+                                                task.pictures.any().name, gpu::ImageTiling::rows)};
+    gpu::writeRows(made.image, [&](std::byte* memory) {
+        if (fillLevels(task, kept, memory) && task.key)
+            made.keep = KeepTask{*task.key, {memory, task.layout.bytes}};
+    });
+    return made;
+}
+
+MadeTexture makeByCopy(const gpu::Device& device, const TextureTask& task, const KeptLevels& kept)
+{
     using Usage = vk::ImageUsageFlagBits;
-    MadeTexture result = {
-        .image = gpu::makeImage(device, shape,
-                                inPlace ? vk::ImageUsageFlags(Usage::eSampled) : Usage::eSampled | Usage::eTransferDst,
-                                picture.name, inPlace ? gpu::ImageTiling::rows : gpu::ImageTiling::device),
-        .keep = std::nullopt};
-    const WriteLevels write = [&](std::span<const LevelMemory> levels) {
-        if (key && kept.textures->readLevels(*key, texture, texelBytes, levels))
-            return;
-        if (!hasTexels(pictures))
-            throw TexelsMissing();
-        isOnePicture(pictures) ? writeLevels(picture, rule, levels) : writePackedLevels(pictures, rule, levels);
-        if (key && inPlace)
-            result.keep = KeepTask{*key, texture, texelBytes, {levels.begin(), levels.end()}};
-        else if (key) // what is copied from goes with the copy
-            kept.textures->keepLevels(*key, texture, texelBytes, levels);
-    };
-    inPlace ? writeInPlace(result.image, missing, write) : copyOver(device, result.image, missing, texelBytes, write);
-    return result;
+    MadeTexture made = {
+        .image = gpu::makeImage(device, task.shape, Usage::eSampled | Usage::eTransferDst, task.pictures.any().name)};
+    const gpu::Buffer staging = gpu::makeStagingBuffer(device, task.layout.bytes, "texels");
+    if (fillLevels(task, kept, staging.mapped) && task.key) // what is copied from goes with the copy
+        kept.textures->keepLevels(*task.key, {staging.mapped, task.layout.bytes});
+    gpu::Commands commands(device);
+    gpu::copyToImage(commands, staging, made.image, task.texelBytes);
+    commands.submitAndWait();
+    return made;
+}
+
+MadeTexture makeTexture(const gpu::Device& device, const TextureTask& task, const KeptLevels& kept,
+                        std::optional<MappedFile> pages)
+{
+    if (pages)
+        if (auto image =
+                gpu::makeImageOver(device, task.shape, task.layout, std::move(*pages), task.pictures.any().name))
+            return {.image = std::move(*image)};
+    return task.inPlace ? makeInPlace(device, task, kept) : makeByCopy(device, task, kept);
+}
+
+/// By task: what is kept of it and can be its image's memory as it is.
+std::vector<std::optional<MappedFile>> keptPages(const gpu::Device& device, std::span<const TextureTask> tasks,
+                                                 const KeptLevels& kept)
+{
+    std::vector<std::optional<MappedFile>> pages(tasks.size());
+    if (kept.textures && device.importsHostPages())
+        parallelFor(tasks.size(), 1, [&](std::size_t i) {
+            if (tasks[i].key && tasks[i].inPlace)
+                pages[i] = kept.textures->mapLevels(*tasks[i].key);
+        });
+    return pages;
 }
 
 // By Scene::images: one more than the number of the last texture that reads it; 0 where none does.
@@ -165,14 +228,18 @@ Textures::Textures(const gpu::Device& device, const Scene& scene, const ShadingP
                 texelsRead(static_cast<int>(image));
     };
     tellRead(0);
-    std::vector<KeepTask> tasks;
+    std::vector<TextureTask> tasks;
+    for (std::size_t i = 0; i < plan.textures.size(); ++i)
+        tasks.push_back(taskFor(device, scene, plan.textures[i], finestLevels[i], kept));
+    std::vector<std::optional<MappedFile>> pages = keptPages(device, tasks, kept);
+    std::vector<KeepTask> toKeep;
     const auto lodBias = static_cast<float>(levelBias(plan.settings));
     for (std::size_t i = 0; i < plan.textures.size(); ++i) {
         const PlannedTexture& texture = plan.textures[i];
-        MadeTexture made = makeTexture(device, scene, texture, finestLevels[i], kept);
+        MadeTexture made = makeTexture(device, tasks[i], kept, std::move(pages[i]));
         images.push_back(std::move(made.image));
         if (made.keep)
-            tasks.push_back(std::move(*made.keep));
+            toKeep.push_back(*made.keep);
         gpu::leaveOutUnread(device, images.back(), channelsRead(texture), "texture");
         if (!samplers.contains(texture.sampler))
             samplers.emplace(texture.sampler, makeSampler(device, texture.sampler, lodBias));
@@ -182,10 +249,10 @@ Textures::Textures(const gpu::Device& device, const Scene& scene, const ShadingP
     gpu::Commands commands(device);
     commands.use(uses());
     commands.submitAndWait();
-    if (!tasks.empty()) // while the picture is drawn: nobody waits for a disk
-        keeping = std::async(std::launch::async, [store = kept.textures, tasks = std::move(tasks)] {
-            for (const KeepTask& task : tasks)
-                store->keepLevels(task.key, task.texture, task.texelBytes, task.levels);
+    if (!toKeep.empty()) // while the picture is drawn: nobody waits for a disk
+        keeping = std::async(std::launch::async, [store = kept.textures, toKeep = std::move(toKeep)] {
+            for (const KeepTask& task : toKeep)
+                store->keepLevels(task.key, task.memory);
         });
 }
 

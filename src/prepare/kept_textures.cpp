@@ -8,7 +8,7 @@ namespace torrance {
 namespace {
 
 /// Change it whenever a file's bytes would give other facts or other levels, or they are kept in another form.
-constexpr int kPictureVersion = 1, kLevelsVersion = 1;
+constexpr int kPictureVersion = 1, kLevelsVersion = 2;
 
 constexpr std::uintmax_t kMaxPictureBytes = 1u << 20; // some eight thousand pictures
 constexpr std::uintmax_t kMaxLevelBytes = 1u << 30;   // eight models like WaterBottle, by its greatest levels
@@ -26,24 +26,6 @@ struct PictureRecord
     std::array<double, 4> least, greatest;
 };
 static_assert(sizeof(PictureRecord) == 80);
-
-template <typename Visit>
-bool eachRow(const PlannedTexture& texture, std::size_t texelBytes, std::span<const LevelMemory> levels,
-             const Visit& visit)
-{
-    for (std::size_t i = 0; i < levels.size(); ++i) {
-        if (!levels[i].texels)
-            continue;
-        const std::size_t row = std::max<std::size_t>(1, static_cast<std::size_t>(texture.width) >> i) * texelBytes;
-        const std::size_t rows = std::max<std::size_t>(1, static_cast<std::size_t>(texture.height) >> i);
-        const bool inOnePiece = levels[i].rowPitch == row;
-        const std::size_t piece = inOnePiece ? row * rows : row, pieces = inOnePiece ? 1 : rows;
-        for (std::size_t y = 0; y < pieces; ++y)
-            if (!visit(std::span(levels[i].texels + y * levels[i].rowPitch, piece)))
-                return false;
-    }
-    return true;
-}
 
 } // namespace
 
@@ -80,23 +62,21 @@ void KeptTextures::keep(const ContentHash& encoded, const Picture& picture)
     pictures.store(pictureKey(encoded), std::as_bytes(std::span(&record, 1)));
 }
 
-bool KeptTextures::readLevels(const ContentHash& key, const PlannedTexture& texture, std::size_t texelBytes,
-                              std::span<const LevelMemory> levels) const
+std::optional<MappedFile> KeptTextures::mapLevels(const ContentHash& key) const
 {
     auto kept = textures.open(key);
-    return kept && eachRow(texture, texelBytes, levels, [&](std::span<std::byte> rows) { return kept->read(rows); }) &&
-           kept->isIntact();
+    return kept ? kept->map() : std::nullopt;
 }
 
-void KeptTextures::keepLevels(const ContentHash& key, const PlannedTexture& texture, std::size_t texelBytes,
-                              std::span<const LevelMemory> levels)
+bool KeptTextures::readLevels(const ContentHash& key, std::span<std::byte> memory) const
 {
-    std::vector<std::span<const std::byte>> parts;
-    eachRow(texture, texelBytes, levels, [&](std::span<const std::byte> rows) {
-        parts.push_back(rows);
-        return true;
-    });
-    textures.store(key, parts);
+    auto kept = textures.open(key);
+    return kept && kept->read(memory) && kept->isIntact();
+}
+
+void KeptTextures::keepLevels(const ContentHash& key, std::span<const std::byte> memory)
+{
+    textures.store(key, memory);
 }
 
 std::vector<TexelFacts> texelFacts(const Scene& scene, std::span<const ContentHash> encoded, KeptTextures& kept)
@@ -117,7 +97,7 @@ std::vector<TexelFacts> texelFacts(const Scene& scene, std::span<const ContentHa
 }
 
 std::optional<ContentHash> levelsKey(const PlannedTexture& texture, std::span<const ContentHash> encoded,
-                                     int finestLevel)
+                                     int finestLevel, std::span<const std::size_t> layout)
 {
     if (encoded.empty())
         return std::nullopt;
@@ -128,7 +108,7 @@ std::optional<ContentHash> levelsKey(const PlannedTexture& texture, std::span<co
         const ContentHash picture = source.image < 0 ? ContentHash{} : encoded[static_cast<std::size_t>(source.image)];
         hasher.add(picture.high).add(picture.low).add(source.channel);
     }
-    return hasher.finish();
+    return hasher.add(std::as_bytes(layout)).finish();
 }
 
 } // namespace torrance

@@ -5,7 +5,6 @@
 #include "core/disk_cache.h"
 #include "plan/texel_facts.h"
 #include "plan/texture_plan.h"
-#include "prepare/texture_levels.h"
 #include "scene/known_image.h"
 
 #include <filesystem>
@@ -34,12 +33,12 @@ public:
     std::optional<Picture> find(const ContentHash& encoded);
     void keep(const ContentHash& encoded, const Picture& picture);
 
-    /// Fills the levels that have texels, of a texture of this size; false where they are not kept, or damaged: what
-    /// was written then is not to be used.
-    bool readLevels(const ContentHash& key, const PlannedTexture& texture, std::size_t texelBytes,
-                    std::span<const LevelMemory> levels) const;
-    void keepLevels(const ContentHash& key, const PlannedTexture& texture, std::size_t texelBytes,
-                    std::span<const LevelMemory> levels);
+    /// All levels of a texture, laid out as the key says: as memory where they are large enough for pages of their own;
+    /// written to `memory` where they are not. False where they are not kept, or damaged: what was written then is not
+    /// to be used.
+    std::optional<MappedFile> mapLevels(const ContentHash& key) const;
+    bool readLevels(const ContentHash& key, std::span<std::byte> memory) const;
+    void keepLevels(const ContentHash& key, std::span<const std::byte> memory);
 
 private:
     DiskCache pictures;
@@ -52,9 +51,9 @@ private:
 /// kept.
 std::vector<TexelFacts> texelFacts(const Scene& scene, std::span<const ContentHash> encoded, KeptTextures& kept);
 
-/// Of the levels of a texture from `finestLevel` on; nothing where nobody knows the encoded bytes behind its pictures:
-/// `encoded`, by Scene::images, is empty then.
+/// Of the levels of a texture from `finestLevel` on, which lie in memory as the numbers `layout` say; nothing where
+/// nobody knows the encoded bytes behind its pictures: `encoded`, by Scene::images, is empty then.
 std::optional<ContentHash> levelsKey(const PlannedTexture& texture, std::span<const ContentHash> encoded,
-                                     int finestLevel);
+                                     int finestLevel, std::span<const std::size_t> layout);
 
 } // namespace torrance

@@ -41,6 +41,21 @@ TEST(Access, AttachmentThenSampledWaitsForTheWriteAndMakesItVisible)
     EXPECT_EQ(barrier.newLayout, vk::ImageLayout::eShaderReadOnlyOptimal);
 }
 
+TEST(Access, WhatOthersFilledIsTakenOverOnceAndKept)
+{
+    AccessHistory history;
+    history.layout = vk::ImageLayout::eGeneral;
+    history.takenOverBy = 3;
+    const Barriers barriers = next(history, Access::sampled);
+    ASSERT_EQ(barriers.images.size(), 1u);
+    EXPECT_EQ(barriers.images[0].oldLayout, vk::ImageLayout::eGeneral) << "undefined would lose the content";
+    EXPECT_EQ(barriers.images[0].srcQueueFamilyIndex, VK_QUEUE_FAMILY_EXTERNAL);
+    EXPECT_EQ(barriers.images[0].dstQueueFamilyIndex, 3u);
+    const Barriers later = next(history, Access::transferRead);
+    ASSERT_EQ(later.images.size(), 1u);
+    EXPECT_EQ(later.images[0].srcQueueFamilyIndex, VK_QUEUE_FAMILY_IGNORED);
+}
+
 TEST(Access, AttachmentThenAttachmentIsAHazardToo)
 {
     AccessHistory history;

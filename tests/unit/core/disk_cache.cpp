@@ -1,6 +1,8 @@
 #include "core/disk_cache.h"
 
+#include <algorithm>
 #include <chrono>
+#include <cstdint>
 #include <fstream>
 #include <gtest/gtest.h>
 #include <sys/wait.h>
@@ -51,6 +53,25 @@ TEST_F(DiskCacheTest, ADamagedEntryIsAMiss)
     cache.store(hashText("a"), bytes(100, 7));
     std::fstream(file, std::ios::in | std::ios::out | std::ios::binary).seekp(50).put('!');
     EXPECT_FALSE(cache.load(hashText("a"))) << "one byte was changed";
+}
+
+TEST_F(DiskCacheTest, ALargeEntryIsMappedUnlessItIsDamaged)
+{
+    constexpr std::size_t kLarge = 5000001; // several pieces, and no whole page at its end
+    DiskCache cache(folder, 1 << 24);
+    std::vector<std::byte> content = bytes(kLarge, 7);
+    content.back() = std::byte(9);
+    cache.store(hashText("a"), content);
+    EXPECT_EQ(cache.load(hashText("a")), content) << "read as well as mapped";
+    auto mapped = cache.open(hashText("a"))->map();
+    ASSERT_TRUE(mapped);
+    EXPECT_TRUE(std::ranges::equal(mapped->bytes(), content));
+    EXPECT_EQ(reinterpret_cast<std::uintptr_t>(mapped->bytes().data()) % kPageBytes, 0u);
+    cache.store(hashText("small"), bytes(100, 7));
+    EXPECT_FALSE(cache.open(hashText("small"))->map());
+    const fs::path file = folder / hashText("a").hex();
+    std::fstream(file, std::ios::in | std::ios::out | std::ios::binary).seekp(-1, std::ios::end).put('!');
+    EXPECT_FALSE(cache.open(hashText("a"))->map()) << "one byte was changed";
 }
 
 TEST_F(DiskCacheTest, StaysBelowItsBound)

@@ -1,5 +1,6 @@
 #include "prepare/kept_textures.h"
 
+#include <algorithm>
 #include <filesystem>
 #include <gtest/gtest.h>
 #include <string>
@@ -7,8 +8,6 @@
 
 namespace torrance {
 namespace {
-
-constexpr std::size_t kTexelBytes = 4;
 
 PlannedTexture planned(int width, int height)
 {
@@ -18,29 +17,13 @@ PlannedTexture planned(int width, int height)
     return texture;
 }
 
-/// Levels of 5 x 3 texels, whose rows are a texel further apart than they are long, but for the first level, which has
-/// no memory, as nobody reads it.
-struct Levels
+std::vector<std::byte> counted(std::size_t count, int first)
 {
-    std::vector<std::vector<std::byte>> storage;
-    std::vector<LevelMemory> memory = {{}};
-
-    explicit Levels(int first)
-    {
-        for (const auto& [width, height] : {std::pair(2, 1), std::pair(1, 1)}) {
-            const std::size_t pitch = (static_cast<std::size_t>(width) + 1) * kTexelBytes;
-            std::vector<std::byte>& level = storage.emplace_back(pitch * static_cast<std::size_t>(height));
-            for (std::byte& value : level)
-                value = static_cast<std::byte>(first++);
-            memory.push_back({level.data(), pitch});
-        }
-    }
-    bool sameTexels(const Levels& other) const
-    {
-        return std::equal(storage[0].begin(), storage[0].begin() + 2 * kTexelBytes, other.storage[0].begin()) &&
-               std::equal(storage[1].begin(), storage[1].begin() + kTexelBytes, other.storage[1].begin());
-    }
-};
+    std::vector<std::byte> bytes(count);
+    for (std::byte& value : bytes)
+        value = static_cast<std::byte>(first++);
+    return bytes;
+}
 
 class KeptTexturesTest : public ::testing::Test
 {
@@ -73,35 +56,41 @@ TEST_F(KeptTexturesTest, FindWhatWasKeptOfAPicture)
     EXPECT_FALSE(KeptTextures({}).find(encoded));
 }
 
-TEST_F(KeptTexturesTest, GiveBackLevelsRowByRow)
+TEST_F(KeptTexturesTest, GiveBackLevels)
 {
     KeptTextures kept(folder);
-    const ContentHash key = hashText("key");
-    const Levels made(1);
-    kept.keepLevels(key, planned(5, 3), kTexelBytes, made.memory);
-    Levels read(100);
-    EXPECT_FALSE(kept.readLevels(hashText("other"), planned(5, 3), kTexelBytes, read.memory));
-    ASSERT_TRUE(kept.readLevels(key, planned(5, 3), kTexelBytes, read.memory));
-    EXPECT_TRUE(read.sameTexels(made));
-    EXPECT_EQ(read.storage[1].back(), Levels(100).storage[1].back()) << "between rows nothing is written";
-    EXPECT_FALSE(kept.readLevels(key, planned(9, 3), kTexelBytes, read.memory)) << "of another size";
-    EXPECT_FALSE(kept.readLevels(key, planned(5, 3), kTexelBytes, std::span(read.memory).first(2))) << "not all";
+    for (const std::size_t count : {std::size_t(60), std::size_t(1) << 20}) {
+        const ContentHash key = hashText(std::to_string(count));
+        const std::vector<std::byte> made = counted(count, 1);
+        kept.keepLevels(key, made);
+        std::vector<std::byte> read(count);
+        ASSERT_TRUE(kept.readLevels(key, read));
+        EXPECT_EQ(read, made);
+        EXPECT_FALSE(kept.readLevels(hashText("other"), read));
+        EXPECT_FALSE(kept.readLevels(key, std::span(read).first(count - 1))) << "of another size";
+        const auto mapped = kept.mapLevels(key);
+        EXPECT_EQ(mapped.has_value(), count >= std::size_t(1) << 20) << "what fills pages";
+        EXPECT_TRUE(!mapped || std::ranges::equal(mapped->bytes(), made));
+    }
+    EXPECT_FALSE(kept.mapLevels(hashText("other")));
 }
 
 TEST_F(KeptTexturesTest, TheKeyIsOfAllThatLevelsAreMadeFrom)
 {
     const std::vector<ContentHash> pictures = {hashText("a"), hashText("b")};
     const PlannedTexture texture = planned(64, 32);
-    const auto key = levelsKey(texture, pictures, 1);
+    const std::vector<std::size_t> layout = {8192, 0, 256};
+    const auto key = levelsKey(texture, pictures, 1, layout);
     ASSERT_TRUE(key);
-    EXPECT_EQ(levelsKey(texture, pictures, 1), key);
-    EXPECT_FALSE(levelsKey(texture, {}, 1)) << "pictures that come from nowhere";
-    EXPECT_NE(levelsKey(texture, pictures, 2), key);
-    EXPECT_NE(levelsKey(texture, std::vector{hashText("a"), hashText("c")}, 1), key);
+    EXPECT_EQ(levelsKey(texture, pictures, 1, layout), key);
+    EXPECT_FALSE(levelsKey(texture, {}, 1, layout)) << "pictures that come from nowhere";
+    EXPECT_NE(levelsKey(texture, pictures, 2, layout), key);
+    EXPECT_NE(levelsKey(texture, pictures, 1, std::vector<std::size_t>{8192, 0, 512}), key);
+    EXPECT_NE(levelsKey(texture, std::vector{hashText("a"), hashText("c")}, 1, layout), key);
     const auto differs = [&](auto&& change) {
         PlannedTexture other = texture;
         change(other);
-        EXPECT_NE(levelsKey(other, pictures, 1), key);
+        EXPECT_NE(levelsKey(other, pictures, 1, layout), key);
     };
     differs([](PlannedTexture& t) { t.content = TexelContent::normal; });
     differs([](PlannedTexture& t) { t.weighByAlpha = true; });
@@ -113,7 +102,7 @@ TEST_F(KeptTexturesTest, TheKeyIsOfAllThatLevelsAreMadeFrom)
     differs([](PlannedTexture& t) { t.height = 64; });
     PlannedTexture sampledOtherwise = texture;
     sampledOtherwise.sampler.wrapS = Wrap::clampToEdge;
-    EXPECT_EQ(levelsKey(sampledOtherwise, pictures, 1), key) << "the texels are the same";
+    EXPECT_EQ(levelsKey(sampledOtherwise, pictures, 1, layout), key) << "the texels are the same";
 }
 
 } // namespace
