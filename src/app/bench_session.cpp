@@ -4,8 +4,8 @@
 #include "app/today.h"
 #include "app/version.h"
 #include "core/atomic_write.h"
-#include "core/data_folder.h"
 #include "core/standard_output.h"
+#include "gpu/shader_folder.h"
 
 namespace torrance {
 namespace {
@@ -26,7 +26,7 @@ BenchSession::BenchSession(const BenchOptions& o, const GlobalOptions& g)
       environment(timedPhase(phases, "environment",
                              [&] { return loadChosenEnvironment(o.environment, frameSettings(o.frame).methods); })),
       device(timedPhase(phases, "device", [&] { return openDevice(o.device, g); })),
-      shaders(dataFolder() / "shaders", cacheFolder(g)),
+      shaders(gpu::shaderFolder(), cacheFolder(g)),
       clock(device.description.isProcessor() ? BenchClock::processor : BenchClock::wall)
 {
 }

@@ -11,10 +11,10 @@
 #include "app/tolerance_option.h"
 #include "app/version.h"
 #include "core/atomic_write.h"
-#include "core/data_folder.h"
 #include "core/error.h"
 #include "core/log.h"
 #include "core/read_file.h"
+#include "gpu/shader_folder.h"
 #include "math/norm.h"
 #include "math/replicates.h"
 #include "reference/checkpoint.h"
@@ -167,7 +167,7 @@ void chartScene(const SceneChartOptions& o, const MeasuringOptions& measuring, c
     const Camera camera =
         chooseCamera(cameraOptionsFor(o.camera, inputs.front()), scene, double(settings.width) / settings.height);
     const gpu::Device device = openDevice(measuring.device, global);
-    gpu::ShaderLibrary shaders(dataFolder() / "shaders", cacheFolder(global));
+    gpu::ShaderLibrary shaders(gpu::shaderFolder(), cacheFolder(global));
     const TrialDevice on = {device, shaders, cacheFolder(global)};
     const BenchMachine machine = thisMachine(device.description);
 

@@ -7,10 +7,10 @@
 #include "app/version.h"
 #include "core/atomic_write.h"
 #include "core/content_hash.h"
-#include "core/data_folder.h"
 #include "core/error.h"
 #include "core/log.h"
 #include "core/read_file.h"
+#include "gpu/shader_folder.h"
 #include "study/bench_record.h"
 #include "study/sphere_set.h"
 
@@ -100,7 +100,7 @@ MethodChart measureMethods(const MeasuringOptions& options, const GlobalOptions&
 {
     const Environment environment = requiredEnvironment(options.environment);
     const gpu::Device device = openDevice(options.device, global);
-    gpu::ShaderLibrary shaders(dataFolder() / "shaders", cacheFolder(global));
+    gpu::ShaderLibrary shaders(gpu::shaderFolder(), cacheFolder(global));
     const TrialDevice on = {device, shaders, cacheFolder(global)};
     const MethodChart empty = emptyChart(device.description, environment);
     const std::string inputs = inputsOf(options, empty.table, environment, slots);

@@ -3,10 +3,10 @@
 #include "app/device_option.h"
 #include "app/option_value.h"
 #include "core/atomic_write.h"
-#include "core/data_folder.h"
 #include "core/log.h"
 #include "core/standard_output.h"
 #include "files/json_write.h"
+#include "gpu/shader_folder.h"
 #include "study/conformance_report.h"
 
 #include <CLI/CLI.hpp>
@@ -81,7 +81,7 @@ ExitCode run(const Options& options, const GlobalOptions& global)
 {
     const gpu::Device device = openDevice(options.device, global, options.validation);
     makeFolder(options.folder);
-    gpu::ShaderLibrary shaders(dataFolder() / "shaders", cacheFolder(global));
+    gpu::ShaderLibrary shaders(gpu::shaderFolder(), cacheFolder(global));
     Renderer renderer(device, shaders, cacheFolder(global));
     const std::vector<std::string> names = options.only.empty() ? conformanceGroupNames() : std::vector{options.only};
     const std::vector<ConformanceGroup> groups =

@@ -7,7 +7,6 @@
 #include "brdf/condition.h"
 #include "brdf/lobe_albedo.h"
 #include "core/atomic_write.h"
-#include "core/data_folder.h"
 #include "core/log.h"
 #include "core/nearest_name.h"
 #include "core/parallel.h"
@@ -15,6 +14,7 @@
 #include "core/standard_output.h"
 #include "files/csv_read.h"
 #include "files/json_write.h"
+#include "gpu/shader_folder.h"
 #include "passes/probe_pass.h"
 
 #include <CLI/CLI.hpp>
@@ -209,7 +209,7 @@ ExitCode run(const Options& options, const GlobalOptions& global)
         logWarning(options.input + ": " + rows.nonUnit + ": is not of length 1; all directions are made unit");
 
     const gpu::Device device = openDevice(options.device, global);
-    gpu::ShaderLibrary shaders(dataFolder() / "shaders", cacheFolder(global));
+    gpu::ShaderLibrary shaders(gpu::shaderFolder(), cacheFolder(global));
     const std::vector<Result> results = evaluate(device, shaders, term.probe, rows.points);
 
     const std::string text = toCsv(rows.ids, results);

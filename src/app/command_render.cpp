@@ -8,12 +8,12 @@
 #include "app/phases.h"
 #include "app/progress_line.h"
 #include "app/render_options.h"
-#include "core/data_folder.h"
 #include "core/error.h"
 #include "core/log.h"
 #include "core/read_file.h"
 #include "core/standard_output.h"
 #include "files/json_write.h"
+#include "gpu/shader_folder.h"
 #include "passes/renderer.h"
 #include "prepare/kept_textures.h"
 #include "study/transport_part.h"
@@ -89,7 +89,7 @@ private:
               phases.time("environment", [&] { return loadChosenEnvironment(o.environment, settings.methods); })),
           keptTextures(cacheFolder(global)), first(load(firstInput)),
           device(phases.time("device", [&] { return finishOpeningDevice(std::move(opening)); })),
-          shaders(dataFolder() / "shaders", cacheFolder(global)), renderer(device, shaders, cacheFolder(global))
+          shaders(gpu::shaderFolder(), cacheFolder(global)), renderer(device, shaders, cacheFolder(global))
     {
         if (!tolerance)
             return;

@@ -6,12 +6,12 @@
 #include "app/progress_line.h"
 #include "app/stability_scene.h"
 #include "core/atomic_write.h"
-#include "core/data_folder.h"
 #include "core/log.h"
 #include "core/nearest_name.h"
 #include "core/standard_output.h"
 #include "files/image_encoders.h"
 #include "files/json_write.h"
+#include "gpu/shader_folder.h"
 #include "study/measured_methods.h"
 #include "study/stability_atlas.h"
 
@@ -166,7 +166,7 @@ ExitCode runMethods(const Options& options, const GlobalOptions& global)
     const std::vector<Precision> precisions = chosenPrecisions(options);
     const fs::path folder = options.output.empty() ? fs::path() : madeFolder(options.output);
     const gpu::Device device = openDevice(options.device, global);
-    gpu::ShaderLibrary shaders(dataFolder() / "shaders", cacheFolder(global));
+    gpu::ShaderLibrary shaders(gpu::shaderFolder(), cacheFolder(global));
 
     std::vector<AtlasEntry> entries;
     Json::Array results;
@@ -193,7 +193,7 @@ ExitCode runMethods(const Options& options, const GlobalOptions& global)
 ExitCode runTable(const Options& options, const GlobalOptions& global)
 {
     const gpu::Device device = openDevice(options.device, global);
-    gpu::ShaderLibrary shaders(dataFolder() / "shaders", cacheFolder(global));
+    gpu::ShaderLibrary shaders(gpu::shaderFolder(), cacheFolder(global));
     const std::vector<const Method*> methods = sweptMethods();
     std::vector<MeasuredMethod> measured;
     ProgressLine progress("stability");

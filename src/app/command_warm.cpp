@@ -3,12 +3,12 @@
 #include "app/device_option.h"
 #include "app/environment_option.h"
 #include "app/progress_line.h"
-#include "core/data_folder.h"
 #include "core/disk_cache.h"
 #include "core/log.h"
 #include "core/parallel.h"
 #include "files/json_write.h"
 #include "gpu/driver_environment.h"
+#include "gpu/shader_folder.h"
 #include "passes/renderer.h"
 #include "study/warm_scenes.h"
 
@@ -138,7 +138,7 @@ void warmPipelines(const std::vector<WarmScene>& scenes, const Environment& envi
     ProgressLine progress("warm");
     const auto work = [&] {
         const gpu::Device device({.choice = options.device});
-        gpu::ShaderLibrary shaders(dataFolder() / "shaders", cacheFolder(global));
+        gpu::ShaderLibrary shaders(gpu::shaderFolder(), cacheFolder(global));
         Renderer renderer(device, shaders, cacheFolder(global));
         for (std::size_t i = next++; i < scenes.size(); i = next++) {
             if (i == 0)
@@ -190,7 +190,7 @@ ExitCode run(const Options& options, const GlobalOptions& global)
     const std::vector<WarmScene> scenes = chosenScenes(options.only);
     const Environment environment = builtIn("studio");
     const gpu::DeviceDescription description = openDevice(options.device, global).description;
-    const gpu::ShaderLibrary shaders(dataFolder() / "shaders", cacheFolder(global));
+    const gpu::ShaderLibrary shaders(gpu::shaderFolder(), cacheFolder(global));
     const ContentHash content = contentOf(scenes, environment, shaders, description);
     const std::size_t before = driverFiles().size();
     const bool warm = isWarm(stamps, content);

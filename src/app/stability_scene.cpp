@@ -5,10 +5,10 @@
 #include "app/picture_options.h"
 #include "app/progress_line.h"
 #include "core/atomic_write.h"
-#include "core/data_folder.h"
 #include "core/error.h"
 #include "core/standard_output.h"
 #include "files/json_write.h"
+#include "gpu/shader_folder.h"
 #include "passes/renderer.h"
 #include "study/scene_trials.h"
 
@@ -70,7 +70,7 @@ ExitCode runSceneTrialsOf(const SceneTrialOptions& o, const std::string& deviceC
         chooseCamera(cameraOptionsFor(o.camera, input), subject.scene, static_cast<double>(size.x) / size.y);
 
     const gpu::Device device = openDevice(deviceChoice, global);
-    gpu::ShaderLibrary shaders(dataFolder() / "shaders", cacheFolder(global));
+    gpu::ShaderLibrary shaders(gpu::shaderFolder(), cacheFolder(global));
     Renderer renderer(device, shaders, cacheFolder(global));
     const DrawScene draw = [&](const Scene& scene, const Camera& camera) {
         const ShadingPlan plan = makePlan(scene, settings);

@@ -4,11 +4,11 @@
 #include "app/lit_scene.h"
 #include "app/method_table_option.h"
 #include "app/window_options.h"
-#include "core/data_folder.h"
 #include "core/error.h"
 #include "core/log.h"
 #include "files/gltf_save.h"
 #include "gpu/driver_environment.h"
+#include "gpu/shader_folder.h"
 #include "view/kept_settings.h"
 #include "view/recovery.h"
 #include "view/viewer.h"
@@ -96,7 +96,7 @@ ViewerHost makeHost(const WindowOptions& options, const GlobalOptions& global)
     host.cacheFolder = cacheFolder(global);
     host.configFolder = userConfigFolder();
     host.stateFolder = userStateFolder();
-    host.shaderFolder = dataFolder() / "shaders";
+    host.shaderFolder = gpu::shaderFolder();
     host.report = options.report;
     return host;
 }

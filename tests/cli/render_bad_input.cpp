@@ -4,6 +4,7 @@
 #include "program.h"
 
 #include <cstring>
+#include <filesystem>
 #include <fstream>
 #include <gtest/gtest.h>
 #include <limits>
@@ -258,6 +259,21 @@ TEST_F(RenderBadInput, NoDevice)
     expectRefused(render(scene(triangle()), {}, {"VK_DRIVER_FILES=/dev/null", "VK_ICD_FILENAMES=/dev/null"}), 4,
                   "Vulkan");
     expectRefused(render(scene(triangle()), {"--device", "no such device"}), 4, "no such device");
+}
+
+TEST_F(RenderBadInput, ShadersOfAnotherBuild)
+{
+    namespace fs = std::filesystem;
+    fs::create_directory(folder.path / "data");
+    for (const auto& entry : fs::directory_iterator(TORRANCE_BINARY_DIR "/share/torrance"))
+        if (entry.path().filename() != "shaders")
+            fs::create_symlink(entry.path(), folder.path / "data" / entry.path().filename());
+    fs::copy(TORRANCE_SOURCE_DIR "/shaders", folder.path / "data" / "shaders", fs::copy_options::recursive);
+    const std::vector<std::string> environment = {"TORRANCE_DATA=" + folder.file("data")};
+    EXPECT_EQ(render("demo", {}, environment).exitCode, 0) << "as they are";
+    fs::remove(folder.file("out.png"));
+    std::ofstream(folder.path / "data" / "shaders" / "shared" / "frame.h", std::ios::app) << "// newer\n";
+    expectRefused(render("demo", {}, environment), 2, "shared/frame.h: is not what this program was built with");
 }
 
 } // namespace

@@ -1,7 +1,7 @@
 #include "test_device.h"
 
-#include "core/data_folder.h"
 #include "gpu/driver_environment.h"
+#include "gpu/shader_folder.h"
 
 #include <cstdlib>
 #include <dlfcn.h>
@@ -52,7 +52,7 @@ gpu::Device& device()
 
 gpu::ShaderLibrary& shaders()
 {
-    static gpu::ShaderLibrary library(dataFolder() / "shaders", {});
+    static gpu::ShaderLibrary library(gpu::shaderFolder(), {});
     return library;
 }
 
