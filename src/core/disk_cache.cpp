@@ -202,9 +202,9 @@ std::optional<KeptResult> openResult(const fs::path& file, const ContentHash& ke
     if (descriptor.number < 0 || fstat(descriptor.number, &status) != 0 || !S_ISREG(status.st_mode) ||
         !readFully(descriptor.number, &header, sizeof header))
         return std::nullopt;
-    if (header.magic != kMagic || header.key != key ||
-        static_cast<std::uint64_t>(status.st_size) != contentOffset(header.size) + header.size ||
-        lseek(descriptor.number, static_cast<off_t>(contentOffset(header.size)), SEEK_SET) < 0)
+    const std::uint64_t offset = contentOffset(header.size), whole = static_cast<std::uint64_t>(status.st_size);
+    if (header.magic != kMagic || header.key != key || whole < offset || whole - offset != header.size ||
+        lseek(descriptor.number, static_cast<off_t>(offset), SEEK_SET) < 0)
         return std::nullopt;
     return KeptResult(descriptor.release(), header.size, header.checksum);
 }

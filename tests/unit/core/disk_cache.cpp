@@ -53,6 +53,12 @@ TEST_F(DiskCacheTest, ADamagedEntryIsAMiss)
     cache.store(hashText("a"), bytes(100, 7));
     std::fstream(file, std::ios::in | std::ios::out | std::ios::binary).seekp(50).put('!');
     EXPECT_FALSE(cache.load(hashText("a"))) << "one byte was changed";
+    cache.store(hashText("a"), bytes(100, 7));
+    constexpr std::uint64_t kWraps = 148 - std::uint64_t(kPageBytes); // a page more is the file's own length
+    std::fstream(file, std::ios::in | std::ios::out | std::ios::binary)
+        .seekp(24)
+        .write(reinterpret_cast<const char*>(&kWraps), sizeof kWraps);
+    EXPECT_FALSE(openResult(file, hashText("a"))) << "a size beyond all files";
 }
 
 TEST_F(DiskCacheTest, ALargeEntryIsMappedUnlessItIsDamaged)
