@@ -22,11 +22,27 @@ std::string processorType()
     return hashText(text).hex().substr(0, 16);
 }
 
+constexpr int kKeepTheUsers = 0;
+
+void leaveOutDriversOfCards()
+{
+    constexpr const char* kDisable = "VK_LOADER_DRIVERS_DISABLE";
+    constexpr const char* kDrivers = "*intel*,*radeon*,*nouveau*,*asahi*,*freedreno*,*broadcom*,*panfrost*,*powervr*,"
+                                     "*virtio*"; // names of their manifests
+    std::error_code failure;
+    if (std::filesystem::exists("/dev/dri", failure) || failure)
+        return;
+    for (const char* choice : {"VK_DRIVER_FILES", "VK_ICD_FILENAMES", "VK_LOADER_DRIVERS_SELECT", kDisable})
+        if (std::getenv(choice))
+            return;
+    setenv(kDisable, kDrivers, kKeepTheUsers);
+}
+
 } // namespace
 
 void prepareDriverEnvironment(const std::filesystem::path& cacheFolder)
 {
-    constexpr int kKeepTheUsers = 0;
+    leaveOutDriversOfCards();
     setenv("GALLIVM_PERF", "no_aos_sampling", kKeepTheUsers);
     if (cacheFolder.empty()) {
         setenv("MESA_SHADER_CACHE_DISABLE", "true", kKeepTheUsers);

@@ -1,4 +1,4 @@
-// What software drivers read from the environment when an instance is made.
+// What the loader and software drivers read from the environment when an instance is made.
 #pragma once
 
 #include <filesystem>
@@ -9,6 +9,10 @@ namespace torrance::gpu {
 /// - GALLIVM_PERF=no_aos_sampling: lavapipe then filters 8-bit textures in float instead of 8-bit fixed point;
 /// - MESA_SHADER_CACHE_DIR: a folder of its own per processor type below `cacheFolder`. Mesa's key holds the driver's
 ///   build but not the vector width, and code of another width ends the process (rc 134);
+/// - VK_LOADER_DRIVERS_DISABLE: Mesa's drivers of cards, where there is no /dev/dri, through which alone they reach
+/// any.
+///   Opening them took a tenth of a warm picture's start. Who chooses drivers by any of the loader's variables is left
+///   alone;
 /// - with a `cacheFolder` that is empty or cannot be made, MESA_SHADER_CACHE_DISABLE=true.
 /// To be called before threads are started, before the first Device.
 void prepareDriverEnvironment(const std::filesystem::path& cacheFolder);
