@@ -7,6 +7,7 @@
 #include "prepare/environment_lamps.h"
 #include "prepare/irradiance.h"
 #include "prepare/panorama.h"
+#include "prepare/radiance_cube.h"
 #include "prepare/radiance_pyramid.h"
 
 #include <algorithm>
@@ -48,33 +49,30 @@ const LightCubes& EnvironmentStore::lightCubes(const Image& radiance, const Cont
     return cubes.emplace(key, makeLightCubes(device, specular, radiance, content, cache)).first->second;
 }
 
-const gpu::DeviceImage& EnvironmentStore::radianceCube(const Image& radiance, const ContentHash& content)
+const gpu::DeviceImage& EnvironmentStore::radianceCube(const Image& radiance, const ContentHash& content, int size)
 {
-    const std::string key = content.hex();
+    const std::string key = content.hex() + " " + std::to_string(size);
     if (const auto found = radianceCubes.find(key); found != radianceCubes.end())
         return found->second;
-    int size = 0;
     const std::vector<float> texels = cubeTexels(radiance, content, size);
     return radianceCubes.emplace(key, uploadCube(device, radiancePyramid(texels, size), CubeAlpha::unread, "radiance"))
         .first->second;
 }
 
-// The radiance itself: level 0 of the chain.
-std::vector<float> EnvironmentStore::cubeTexels(const Image& radiance, const ContentHash& content, int& size)
+// The radiance itself: level 0 of the chain where that has this size.
+std::vector<float> EnvironmentStore::cubeTexels(const Image& radiance, const ContentHash& content, int size)
 {
-    EnvironmentMaps maps = keptEnvironmentMaps(splitSum(), radiance, content, cache);
-    size = maps.specular.size;
-    return std::move(maps.specular.data.front());
+    if (size != cubeSizeFor(radiance.width))
+        return std::move(makeRadianceCube(radiance, size).radiance);
+    return std::move(keptEnvironmentMaps(splitSum(), radiance, content, cache).specular.data.front());
 }
 
-const LampImages& EnvironmentStore::lamps(const Image& radiance, const ContentHash& content, int points)
+const LampImages& EnvironmentStore::lamps(const Image& radiance, const ContentHash& content, int size, int points)
 {
-    const std::string key = content.hex() + " " + std::to_string(points);
+    const std::string key = content.hex() + " " + std::to_string(size) + " " + std::to_string(points);
     if (const auto found = lampImages.find(key); found != lampImages.end())
         return found->second;
-    int size = 0;
-    const std::vector<float> texels = cubeTexels(radiance, content, size);
-    EnvironmentLamps split = splitLamps(texels, size, points);
+    EnvironmentLamps split = splitLamps(cubeTexels(radiance, content, size), size, points);
     return lampImages
         .emplace(key, LampImages{uploadCube(device, split.rest, CubeAlpha::unread, "radiance without lamps"),
                                  uploadCube(device, split.lamps, CubeAlpha::read, "lamps"), std::move(split.points)})
@@ -134,13 +132,14 @@ void EnvironmentStore::addLight(EnvironmentImages& images, const Image& radiance
             diffuse == "sh9_windowed" ? windowed(irradianceHarmonics(radiance)) : irradianceHarmonics(radiance);
     if (specular.id != "even" && !samples)
         images.specular = &light().specular;
+    const int size = drawnCubeSize(radiance.width, settings.environmentSamples);
     if (brdf::hasLampPoints(specular)) { // the plan keeps it from a method that reads the whole radiance
-        const LampImages& split = lamps(radiance, content, brdf::lampPointCount(settings.environmentSamples));
+        const LampImages& split = lamps(radiance, content, size, brdf::lampPointCount(settings.environmentSamples));
         images.radiance = &split.rest;
         images.lamps = &split.lamps;
         images.lampPoints = split.points;
     } else if (samples || diffuse == "sampled") {
-        images.radiance = &radianceCube(radiance, content);
+        images.radiance = &radianceCube(radiance, content, size);
     }
 }
 

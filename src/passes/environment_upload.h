@@ -53,18 +53,18 @@ private:
     void addLight(EnvironmentImages& images, const Image& radiance, const ContentHash& content,
                   const Settings& settings);
     const LightCubes& lightCubes(const Image& radiance, const ContentHash& content, const brdf::Method& specular);
-    const gpu::DeviceImage& radianceCube(const Image& radiance, const ContentHash& content);
-    const LampImages& lamps(const Image& radiance, const ContentHash& content, int points);
-    std::vector<float> cubeTexels(const Image& radiance, const ContentHash& content, int& size);
+    const gpu::DeviceImage& radianceCube(const Image& radiance, const ContentHash& content, int size);
+    const LampImages& lamps(const Image& radiance, const ContentHash& content, int size, int points);
+    std::vector<float> cubeTexels(const Image& radiance, const ContentHash& content, int size);
     const gpu::DeviceImage& panorama(const Image& radiance, const ContentHash& content);
     const gpu::DeviceImage* albedoTable(const brdf::Preset& methods); // null for a fit
 
     const gpu::Device& device;
     std::mutex mutex; // held by get
     DiskCache cache;
-    std::map<std::string, gpu::DeviceImage> radianceCubes;     // by the panorama's content
+    std::map<std::string, gpu::DeviceImage> radianceCubes;     // by the panorama's content and the faces' size
     std::map<std::string, LampImages> lampImages;              // likewise, and by the number of points
-    std::map<std::string, gpu::DeviceImage> panoramas;         // likewise
+    std::map<std::string, gpu::DeviceImage> panoramas;         // by the panorama's content
     std::map<std::string, LightCubes> cubes;                   // likewise, and by the source's model that owns them
     std::map<std::string_view, gpu::DeviceImage> albedoTables; // by the row, and source B's
 };

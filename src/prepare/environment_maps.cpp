@@ -64,6 +64,12 @@ int cubeSizeFor(int panoramaWidth)
     return std::max(static_cast<int>(std::bit_ceil(quarter)), kLeastCubeSize);
 }
 
+int drawnCubeSize(int panoramaWidth, int directions)
+{
+    const int size = cubeSizeFor(panoramaWidth);
+    return directions < kManyDirections ? size : std::min(2 * size, kGreatestCubeSize);
+}
+
 EnvironmentMaps makeEnvironmentMaps(const Image& panorama)
 {
     const int size = cubeSizeFor(panorama.width);

@@ -34,6 +34,14 @@ double alphaLevel(double alpha, int levels);
 /// above.
 int cubeSizeFor(int panoramaWidth);
 
+/// Directions a pixel from which on a cube that they are drawn from is worth its finer texels.
+inline constexpr int kManyDirections = 256;
+
+/// Faces of the cube from which `directions` a pixel are drawn: that of cubeSizeFor(), or, of many, twice that within
+/// the limits. Texels that are interpolated twice, once for the cube and once from it, blur what a mirror shows: half
+/// as large, they take half of the error, for a second or two of making them (DECISIONS.md).
+int drawnCubeSize(int panoramaWidth, int directions);
+
 /// Both from a lat-long panorama (math/latlong.h) of 3 channels, at least 1 x 1, finite and not negative
 /// (asserted), of any dynamic range. A constant panorama stays constant to 1e-6; the energy of every level is the
 /// panorama's within 0.5 %. The result depends on the panorama alone.

@@ -11,6 +11,7 @@
 #include "plan/light_plan.h"
 #include "prepare/environment_maps.h"
 #include "reference/analytic_shape.h"
+#include "reference/environment_sampler.h"
 #include "reference/pixel_condition.h"
 #include "scene/camera_fit.h"
 #include "scenes.h"
@@ -285,6 +286,25 @@ TEST(EnvironmentSpecular, PointsFindTheLampsThatDirectionsMiss)
         EXPECT_LT(lamps, 0.5 * errorOf("vndf_lamps", 4)) << roughness;
         EXPECT_LT(lamps, 1e-2) << roughness; // twice what the cube's energy may be off (environment_maps.h)
     }
+}
+
+// A mirror shows the texels of what its directions are drawn from: of many directions, texels half as large.
+TEST(EnvironmentSpecular, ManyDirectionsShowMirrorsMoreExactly)
+{
+    const auto stripes = [](const dvec3& d) { return dvec3(std::sin(20.0 * std::atan2(d.z, d.x)) > 0.0 ? 1.0 : 0.1); };
+    const Scene scene = ball(plainMaterial(dvec3(1.0), 1.0, 0.0), panoramaOf(stripes, kPanoramaWidth));
+    const EnvironmentSampler panorama(*scene.environment);
+    const auto errorOf = [&](int samples) {
+        const Picture picture = drawWith(scene, Slot::environmentSpecular,
+                                         *brdf::findMethod(Slot::environmentSpecular, "vndf_lamps"), samples);
+        double error = 0.0;
+        forEachPixel(scene, [&](int x, int y, const brdf::EnvironmentQuery& query) {
+            const dvec3 exact = panorama.at(glm::reflect(-query.v, query.n)).radiance;
+            error += glm::length(dvec3(pixelOf(picture, x, y)) - exact);
+        });
+        return error;
+    };
+    EXPECT_LT(errorOf(kManyDirections), 0.7 * errorOf(kManyDirections - 1)); // half but for edges that few pixels see
 }
 
 TEST(EnvironmentSpecular, LampsNeedTheirPlaceBehindTheLights)

@@ -151,6 +151,9 @@ TEST(EnvironmentMaps, LevelsFollowTheShadersFormula)
     EXPECT_EQ(cubeSizeFor(1024), 256);
     EXPECT_EQ(cubeSizeFor(1025), 512);
     EXPECT_EQ(cubeSizeFor(16384), 512);
+    EXPECT_EQ(drawnCubeSize(1024, kManyDirections - 1), 256);
+    EXPECT_EQ(drawnCubeSize(1024, kManyDirections), 512);
+    EXPECT_EQ(drawnCubeSize(2048, kManyDirections), 512) << "no greater than any";
 }
 
 TEST(EnvironmentMaps, KernelIntegralIsTheClosedForm)
