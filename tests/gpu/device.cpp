@@ -3,10 +3,10 @@
 #include "core/error.h"
 #include "gpu/guard.h"
 #include "test_device.h"
+#include "tests/mapped_lines.h"
 
 #include <cstdlib>
 #include <filesystem>
-#include <fstream>
 #include <gtest/gtest.h>
 #include <string>
 
@@ -19,17 +19,6 @@ TEST(Device, IsDescribedAndUsable)
     EXPECT_TRUE(test::device().description.missing.empty());
 }
 
-/// Libraries of Mesa's drivers of cards that this process has open.
-std::size_t driversOfCards()
-{
-    std::size_t lines = 0;
-    std::ifstream maps("/proc/self/maps");
-    for (std::string line; std::getline(maps, line);)
-        for (const char* name : {"libvulkan_intel", "libvulkan_radeon", "libvulkan_nouveau", "libvulkan_virtio"})
-            lines += line.find(name) != std::string::npos ? 1 : 0;
-    return lines;
-}
-
 TEST(Device, DriversOfCardsAreLeftOutWhereThereAreNone)
 {
     test::device();
@@ -37,7 +26,8 @@ TEST(Device, DriversOfCardsAreLeftOutWhereThereAreNone)
         GTEST_SKIP() << "there may be cards here: every driver is asked";
     if (std::getenv("VK_DRIVER_FILES") || std::getenv("VK_ICD_FILENAMES") || std::getenv("VK_LOADER_DRIVERS_SELECT"))
         GTEST_SKIP() << "drivers were chosen by name";
-    EXPECT_EQ(driversOfCards(), 0u);
+    for (const char* driver : {"libvulkan_intel", "libvulkan_radeon", "libvulkan_nouveau", "libvulkan_virtio"})
+        EXPECT_EQ(test::mappedLines(driver), 0u) << driver;
 }
 
 TEST(Device, ValidationSeesADeliberateMistake)

@@ -5,6 +5,7 @@
 #include "prepare/kept_textures.h"
 #include "scene/camera_fit.h"
 #include "scenes.h"
+#include "tests/mapped_lines.h"
 
 #include <algorithm>
 #include <filesystem>
@@ -36,7 +37,7 @@ protected:
             kept ? makePlan(scene, texelFacts(scene, encoded, *kept), settings) : makePlan(scene, settings);
         Renderer renderer(device(), shaders(), {});
         const DeviceScene uploaded = renderer.upload(scene, plan, nullptr, {}, {kept, encoded});
-        mappedFiles = countMapped();
+        mappedFiles = mappedLines(folder.filename().string());
         return renderer.render(uploaded, camera).color;
     }
 
@@ -54,16 +55,6 @@ protected:
     Camera camera;
     fs::path folder;
     std::size_t mappedFiles = 0; // while the scene was on the device
-
-private:
-    std::size_t countMapped() const
-    {
-        std::size_t count = 0;
-        std::ifstream maps("/proc/self/maps");
-        for (std::string line; std::getline(maps, line);)
-            count += line.find(folder.filename().string()) != std::string::npos ? 1 : 0;
-        return count;
-    }
 };
 
 TEST_F(KeptLevelsTest, AreTheImagesMemory)

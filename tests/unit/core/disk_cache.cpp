@@ -54,10 +54,11 @@ TEST_F(DiskCacheTest, ADamagedEntryIsAMiss)
     std::fstream(file, std::ios::in | std::ios::out | std::ios::binary).seekp(50).put('!');
     EXPECT_FALSE(cache.load(hashText("a"))) << "one byte was changed";
     cache.store(hashText("a"), bytes(100, 7));
-    constexpr std::uint64_t kWraps = 148 - std::uint64_t(kPageBytes); // a page more is the file's own length
+    constexpr std::streamoff kSizeAt = 24;                        // behind the magic and the key
+    const std::uint64_t wraps = fs::file_size(file) - kPageBytes; // a page more is the file's own length
     std::fstream(file, std::ios::in | std::ios::out | std::ios::binary)
-        .seekp(24)
-        .write(reinterpret_cast<const char*>(&kWraps), sizeof kWraps);
+        .seekp(kSizeAt)
+        .write(reinterpret_cast<const char*>(&wraps), sizeof wraps);
     EXPECT_FALSE(openResult(file, hashText("a"))) << "a size beyond all files";
 }
 
