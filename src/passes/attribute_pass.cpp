@@ -22,7 +22,8 @@ AttributeTargets makeAttributeTargets(const gpu::Device& device, int width, int 
                                                   {.width = static_cast<std::uint32_t>(width),
                                                    .height = static_cast<std::uint32_t>(height),
                                                    .format = kAttributeFormat},
-                                                  Usage::eColorAttachment | Usage::eSampled, "attributes"));
+                                                  Usage::eColorAttachment | Usage::eSampled | Usage::eTransferDst,
+                                                  "attributes"));
     targets.depth = makeDepthStencilTarget(device, width, height);
     return targets;
 }

@@ -64,7 +64,7 @@ dvec3 forwardOf(const Camera& camera)
 
 Renderer::Renderer(const gpu::Device& d, gpu::ShaderLibrary& s, const std::filesystem::path& cacheFolder)
     : device(d), shaders(s), environments(d, cacheFolder), tableSampler(makeTableSampler(d)),
-      pointSampler(makePointSampler(d)), panoramaSampler(makePanoramaSampler(d)), surfacePipelines(d, s)
+      pointSampler(makePointSampler(d)), panoramaSampler(makePanoramaSampler(d)), surfacePipelines(d, s), targetFill(d)
 {
 }
 
@@ -176,6 +176,12 @@ void Renderer::prepareTargets(const ShadingPlan& plan)
         targets.depth = makeDepthTarget(device, settings.width, settings.height, "depth");
 }
 
+void Renderer::begin(gpu::Commands& commands, std::span<const gpu::DeviceImage* const> colors,
+                     const gpu::DeviceImage* depth, const ClearColor& clearColor, LoadTarget loadDepth)
+{
+    beginRendering(commands, colors, depth, targetFill.fill(commands, colors, clearColor), loadDepth);
+}
+
 void Renderer::drawBatches(gpu::Commands& commands, const FrameInputs& frame, SurfaceOutput output)
 {
     for (const Batch& batch : frame.scene.plan.batches)
@@ -200,7 +206,7 @@ void Renderer::drawGBuffer(gpu::Commands& commands, const FrameInputs& frame)
     std::vector<const gpu::DeviceImage*> pointers;
     for (const gpu::DeviceImage& target : targets.gbuffer)
         pointers.push_back(&target);
-    beginRendering(commands, pointers, &*targets.depth, kClearToNothing, LoadTarget::clear);
+    begin(commands, pointers, &*targets.depth, kClearToNothing, LoadTarget::clear);
     drawBatches(commands, frame, SurfaceOutput::gbuffer);
     commands.buffer.endRendering();
 }
@@ -221,7 +227,7 @@ void Renderer::drawAttributes(gpu::Commands& commands, const FrameInputs& frame)
     std::vector<const gpu::DeviceImage*> pointers;
     for (std::size_t i = 0; i < attributePictures(frame.scene.plan); ++i) // there may be more, of another plan
         pointers.push_back(&targets.attributes->pictures[i]);
-    beginRendering(commands, pointers, &targets.attributes->depth, kClearAttributes, LoadTarget::clear);
+    begin(commands, pointers, &targets.attributes->depth, kClearAttributes, LoadTarget::clear);
     for (const Batch& batch : frame.scene.plan.batches) {
         if (batch.shadingClass < 0)
             continue;
@@ -237,7 +243,7 @@ void Renderer::resolveAttributes(gpu::Commands& commands, const FrameInputs& fra
     const ShadingPlan& plan = frame.scene.plan;
     commands.use(attributeUses(*targets.attributes));
     const std::array colors = {&targets.color};
-    beginRendering(commands, colors, &targets.attributes->depth, backgroundClear(plan), LoadTarget::readOnly);
+    begin(commands, colors, &targets.attributes->depth, backgroundClear(plan), LoadTarget::readOnly);
     const std::vector<PixelBox> areas = classAreas(frame);
     for (std::size_t i = 0; i < plan.classes.size(); ++i) {
         if (areas[i].empty())
@@ -281,8 +287,8 @@ void Renderer::drawSurfaces(gpu::Commands& commands, const FrameInputs& frame)
     if (path == RenderPath::deferred)
         commands.use(gbufferUses(targets.gbuffer));
     const std::array colors = {&targets.color};
-    beginRendering(commands, colors, &*targets.depth, backgroundClear(plan),
-                   path == RenderPath::forward ? LoadTarget::clear : LoadTarget::keep);
+    begin(commands, colors, &*targets.depth, backgroundClear(plan),
+          path == RenderPath::forward ? LoadTarget::clear : LoadTarget::keep);
     switch (path) {
     case RenderPath::forward:
         drawBatches(commands, frame, SurfaceOutput::color);
@@ -402,7 +408,7 @@ void Renderer::accumulate(const gpu::DeviceImage& sum, int index, int count)
     gpu::Commands commands(device);
     commands.use({gpu::use(targets.color, gpu::Access::sampled)});
     const std::array sums = {&sum};
-    beginRendering(commands, sums, nullptr, index == 0 ? kClearToNothing : kKeep, LoadTarget::clear);
+    begin(commands, sums, nullptr, index == 0 ? kClearToNothing : kKeep, LoadTarget::clear);
     const float weight = 1.0f / static_cast<float>(count);
     commands.buffer.setBlendConstants(std::array{weight, weight, weight, weight}.data());
     drawFullscreen(commands, pipeline, bindings);
@@ -422,7 +428,7 @@ std::vector<Layer> Renderer::drawLayers(const DeviceScene& scene, const Camera& 
 
     gpu::Commands commands(device);
     useFrame(commands, frame);
-    beginRendering(commands, pointers, &*targets.depth, kClearToNothing, LoadTarget::clear);
+    begin(commands, pointers, &*targets.depth, kClearToNothing, LoadTarget::clear);
     for (const auto* list : {&scene.plan.batches, &scene.plan.blended})
         for (const Batch& batch : *list)
             drawOne(commands, frame, batch, SurfaceOutput::layers);

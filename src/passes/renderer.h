@@ -9,6 +9,7 @@
 #include "passes/edge_pass.h"
 #include "passes/frame_inputs.h"
 #include "passes/surface_pass.h"
+#include "passes/target_fill.h"
 #include "plan/shading_plan.h"
 
 #include <filesystem>
@@ -107,6 +108,9 @@ private:
     void drawColor(const DeviceScene& scene, const Camera& camera, const dvec2& offset, int picture,
                    const PassObserver& observer);
     void run(const std::vector<Pass>& passes, const FrameInputs& frame, const PassObserver& observer);
+    // beginRendering, with colours filled as the device does it best.
+    void begin(gpu::Commands& commands, std::span<const gpu::DeviceImage* const> colors, const gpu::DeviceImage* depth,
+               const ClearColor& clearColor, LoadTarget loadDepth);
     void drawBatches(gpu::Commands& commands, const FrameInputs& frame, SurfaceOutput output);
     void drawOne(gpu::Commands& commands, const FrameInputs& frame, const Batch& batch, SurfaceOutput output);
     void drawDepth(gpu::Commands& commands, const FrameInputs& frame);
@@ -135,6 +139,7 @@ private:
     SurfacePipelines surfacePipelines;
     std::map<std::string, gpu::Pipeline> imagePipelines;
     Targets targets;
+    TargetFill targetFill;
 };
 
 } // namespace torrance
