@@ -2,12 +2,12 @@
 """Draws models under environments to tolerances, and says whether each was kept and what a frame cost.
 
 usage: tolerance_acceptance.py [--torrance PROGRAM] [--environments NAME,...] [--tolerances E,...] [--size WxH]
-                               [--seconds S] [--page FILE] MODEL...
+                               [--seconds S] [--no-frames] [--page FILE] MODEL...
 
 A tolerance that is not kept is a failure of the choice unless every slot stood at its nearest method: then the exact plan
 does not keep it either. Exit code 1 where there is such a failure. A case that takes longer than --seconds is ended, and
 said to be; it is no failure. A line is printed for each case: its mean error (and its interval's end), the methods that were
-found, how many pictures it took and CPU ms a frame. The page has a table for each tolerance, and says for each two of them
+found, how many pictures it took and CPU ms a frame, which --no-frames leaves out. The page has a table for each tolerance, and says for each two of them
 how much longer the nearer takes a frame, by models.
 """
 import argparse
@@ -28,6 +28,7 @@ def parsed():
     parser.add_argument("--tolerances", default="5%,1%,0.3%")
     parser.add_argument("--size", default="256x256")
     parser.add_argument("--seconds", type=float, default=600, help="the most that a picture may take")
+    parser.add_argument("--no-frames", action="store_true", help="do not measure what a frame costs")
     parser.add_argument("--page", help="write the table to this file, as Markdown")
     parser.add_argument("models", nargs="+")
     return parser.parse_args()
@@ -64,7 +65,7 @@ def frame_ms(o, model, environment, methods):
 
 def pay_off(rows, tolerances):
     """Of pictures of one model and environment: how much longer a frame takes within the next tolerance."""
-    frames = {(row["model"], row["environment"], row["tolerance"]): row["ms"] for row in rows}
+    frames = {(row["model"], row["environment"], row["tolerance"]): row["ms"] for row in rows if row["ms"]}
     lines = []
     for far, near in itertools.combinations(tolerances, 2):
         ratios = {}
@@ -94,7 +95,7 @@ def row_of(o, model, environment, tolerance, result):
             "mean": f"{percent(mean['value'])} (to {percent(mean['high'])})",
             "specular": last.get("environment_specular", "as asked") + (f" {samples}" if samples else ""),
             "filter": last.get("texture_filter", ""), "pictures": len(found["trials"]),
-            "ms": frame_ms(o, model, environment, last)}
+            "ms": None if o.no_frames else frame_ms(o, model, environment, last)}
 
 
 def model_name(model):
@@ -104,7 +105,7 @@ def model_name(model):
 
 
 def text_of(row):
-    return [f"{row[key]:.3g}" if key == "ms" else str(row[key]) for key in COLUMNS]
+    return [f"{row[key]:.3g}" if isinstance(row[key], float) else str(row[key] or "-") for key in COLUMNS]
 
 
 def table_of(rows, tolerance):

@@ -28,8 +28,24 @@ inline void makeGuide(std::span<const double> sums, std::span<std::uint32_t> gui
     }
 }
 
+/// `at` is the first interval whose sum is beyond the target, or their number: u * sum rounded up to the sum.
+inline IntervalChoice intervalAt(std::span<const double> sums, std::size_t at, double target)
+{
+    if (at == sums.size())
+        at = static_cast<std::size_t>(std::lower_bound(sums.begin(), sums.end(), sums.back()) - sums.begin());
+    const double before = at == 0 ? 0.0 : sums[at - 1];
+    return {at, std::clamp((target - before) / (sums[at] - before), 0.0, 1.0)};
+}
+
 /// The interval in which the fraction u (in [0, 1]) of the last sum lies, which is above 0; never one without length.
-/// The guide saves time and changes nothing.
+inline IntervalChoice choose(std::span<const double> sums, double u)
+{
+    const double target = u * sums.back();
+    const auto found = std::upper_bound(sums.begin(), sums.end(), target);
+    return intervalAt(sums, static_cast<std::size_t>(found - sums.begin()), target);
+}
+
+/// The same by a guide, which saves time where there are many, and changes nothing.
 inline IntervalChoice choose(std::span<const double> sums, std::span<const std::uint32_t> guide, double u)
 {
     const double target = u * sums.back();
@@ -38,10 +54,7 @@ inline IntervalChoice choose(std::span<const double> sums, std::span<const std::
         --at;
     while (at < sums.size() && sums[at] <= target)
         ++at;
-    if (at == sums.size()) // u * sum rounded up to the sum
-        at = static_cast<std::size_t>(std::lower_bound(sums.begin(), sums.end(), sums.back()) - sums.begin());
-    const double before = at == 0 ? 0.0 : sums[at - 1];
-    return {at, std::clamp((target - before) / (sums[at] - before), 0.0, 1.0)};
+    return intervalAt(sums, at, target);
 }
 
 } // namespace torrance

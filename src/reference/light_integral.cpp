@@ -2,56 +2,48 @@
 
 #include "math/frame.h"
 #include "math/sampling.h"
+#include "reference/reflected_importance.h"
 
 #include <algorithm>
 
 namespace torrance {
-namespace {
 
-const EnvironmentSampler& sampler(const EnvironmentSampler* environment)
-{
-    return *environment;
-}
-
-const SphereLight& sampler(const SphereLight& sphere)
-{
-    return sphere;
-}
-
-/// One direction: its radiance over its density is the irradiance of a surface that faces the light.
-struct Beam
-{
-    const LightSample& light;
-
-    dvec3 draw(const dvec2&) const { return light.direction; }
-    DirectedLight at(const dvec3&) const { return {light.irradiance, 1.0}; }
-};
-
-Beam sampler(const LightSample& light)
-{
-    return {light};
-}
-
-} // namespace
-
-LightIntegral::LightIntegral(const Yardstick& yardstick, Source s, const MaterialPoint& material, const dvec3& v,
-                             DirectionChoice choice, ResponsePart part)
-    : source(std::move(s)), shares(sharesOf(choice)),
+LightIntegral::LightIntegral(const Yardstick& yardstick, const Source& source, const MaterialPoint& material,
+                             const dvec3& v, DirectionChoice choice, ResponsePart part)
+    : incoming(lightOf(source, material, v, choice)), shares(sharesOf(choice)),
       // Occlusion stands for what hides indirect light (glTF 2.0, 3.9.3).
-      openness(std::holds_alternative<const EnvironmentSampler*>(source) ? material.occlusion : 1.0),
+      openness(std::holds_alternative<Surroundings>(incoming) ? material.occlusion : 1.0),
       worldFromLocal(frameAround(material.normal)), view(v * worldFromLocal),
       alpha(std::max(material.perceptualRoughness * material.perceptualRoughness, brdf::kMinAlpha)),
       reflectance(yardstick, material, view, part)
 {
 }
 
+LightIntegral::Light LightIntegral::lightOf(const Source& source, const MaterialPoint& material, const dvec3& view,
+                                            DirectionChoice choice)
+{
+    if (const auto* sphere = std::get_if<SphereLight>(&source))
+        return *sphere;
+    if (const auto* sample = std::get_if<LightSample>(&source))
+        return Beam{*sample};
+    const EnvironmentSampler* environment = std::get<const EnvironmentSampler*>(source);
+    if (choice == DirectionChoice::combined) {
+        auto distribution = environment->weighed(reflectedImportance(environment->tiles(), material, view));
+        if (distribution.usable())
+            return Surroundings{environment, std::move(distribution)};
+    } // no light from above the surface, or no directions of the surface's are asked for
+    return Surroundings{environment, environment->plain()};
+}
+
 std::vector<LightIntegral::Share> LightIntegral::sharesOf(DirectionChoice choice) const
 {
     using enum Density;
-    if (choice == DirectionChoice::light || std::holds_alternative<LightSample>(source))
+    if (choice == DirectionChoice::light || std::holds_alternative<Beam>(incoming))
         return {{light, 4}};
     if (choice == DirectionChoice::brdf)
         return {{lobe, 2}, {cosine, 2}};
+    if (std::holds_alternative<Surroundings>(incoming))
+        return {{light, 3}, {lobe, 1}}; // the light's density knows the body
     return {{light, 2}, {lobe, 1}, {cosine, 1}};
 }
 
@@ -59,7 +51,7 @@ dvec3 LightIntegral::draw(Density from, const dvec2& u) const
 {
     switch (from) {
     case Density::light:
-        return std::visit([&](const auto& s) { return sampler(s).draw(u); }, source) * worldFromLocal;
+        return std::visit([&](const auto& l) { return l.draw(u); }, incoming) * worldFromLocal;
     case Density::lobe:
         return sampleGgxReflection(view, alpha, u);
     case Density::cosine:
@@ -68,11 +60,11 @@ dvec3 LightIntegral::draw(Density from, const dvec2& u) const
     return sampleCosine(u);
 }
 
-double LightIntegral::density(Density of, const dvec3& l, const DirectedLight& light) const
+double LightIntegral::density(Density of, const dvec3& l, const DirectedLight& arriving) const
 {
     switch (of) {
     case Density::light:
-        return light.density;
+        return arriving.density;
     case Density::lobe:
         return ggxReflectionDensity(view, alpha, l);
     case Density::cosine:
@@ -85,15 +77,16 @@ dvec3 LightIntegral::contribution(const dvec3& l, std::uint64_t key) const
 {
     if (!(l.z > 0.0))
         return dvec3(0.0);
-    const DirectedLight light = std::visit([&](const auto& s) { return sampler(s).at(worldFromLocal * l); }, source);
-    if (light.radiance == dvec3(0.0))
+    const dvec3 direction = worldFromLocal * l;
+    const DirectedLight arriving = std::visit([&](const auto& from) { return from.at(direction); }, incoming);
+    if (arriving.radiance == dvec3(0.0))
         return dvec3(0.0);
     double mean = 0.0;
     for (const Share& share : shares)
-        mean += share.perTurn * density(share.density, l, light) / kDirectionsPerTurn;
+        mean += share.perTurn * density(share.density, l, arriving) / kDirectionsPerTurn;
     if (!(mean > 0.0)) // a drawn direction has a density; on the edge of its support rounding may say otherwise
         return dvec3(0.0);
-    return reflectance(l, key) * light.radiance * (openness / mean);
+    return reflectance(l, key) * arriving.radiance * (openness / mean);
 }
 
 dvec3 LightIntegral::sumOfTurns(std::uint64_t key, std::uint32_t first, std::uint32_t turns) const

@@ -17,17 +17,18 @@ enum class DirectionChoice
 {
     combined, // all below together
     brdf,     // visible normals of the specular lobe, and the cosine
-    light,    // the environment's brightness, the sphere's solid angle
+    light,    // the environment's brightness alone, the sphere's solid angle
 };
 
 /// Directions are drawn in turns, because only whole turns hold each density's exact share.
 inline constexpr std::uint32_t kDirectionsPerTurn = 4;
 
-/// A turn of `combined` takes two directions from the light, one from the lobe (bounded visible normals, Eto &
-/// Tokuyoshi 2023) and one from the cosine; of `brdf`, two from the lobe and two from the cosine. A direction counts
-/// f(v, l) L(l) NoL over the mean density of the turn: the balance heuristic (Veach & Guibas, Optimally Combining
-/// Sampling Techniques for Monte Carlo Rendering, 1995, section 3.2). No density need match the BRDF: any method
-/// converges.
+/// A turn of `combined` takes three directions from an environment, by its brightness times about what the surface does
+/// with it (reflected_importance.h), and one from the lobe (bounded visible normals, Eto & Tokuyoshi 2023); of a
+/// sphere, two from it, one from the lobe and one from the cosine. A turn of `brdf` takes two from the lobe and two
+/// from the cosine. A direction counts f(v, l) L(l) NoL over the mean density of the turn: the balance heuristic (Veach
+/// & Guibas, Optimally Combining Sampling Techniques for Monte Carlo Rendering, 1995, section 3.2). No density need
+/// match the BRDF: any method converges.
 class LightIntegral
 {
 public:
@@ -35,7 +36,7 @@ public:
     using Source = std::variant<const EnvironmentSampler*, SphereLight, LightSample>;
 
     /// Keeps references. An environment is not dark; `view` is unit, in the world.
-    LightIntegral(const Yardstick& yardstick, Source source, const MaterialPoint& material, const dvec3& view,
+    LightIntegral(const Yardstick& yardstick, const Source& source, const MaterialPoint& material, const dvec3& view,
                   DirectionChoice choice, ResponsePart part = ResponsePart::whole);
 
     /// The sum of what the directions of turns [first, first + turns) of the sequences of `key` contribute. The
@@ -43,6 +44,26 @@ public:
     dvec3 sumOfTurns(std::uint64_t key, std::uint32_t first, std::uint32_t turns) const;
 
 private:
+    struct Surroundings
+    {
+        const EnvironmentSampler* environment;
+        EnvironmentSampler::Distribution distribution;
+
+        dvec3 draw(const dvec2& u) const { return environment->draw(u, distribution); }
+        DirectedLight at(const dvec3& l) const { return environment->at(l, distribution); }
+    };
+    /// One direction: its radiance over its density is the irradiance of a surface that faces the light.
+    struct Beam
+    {
+        LightSample light;
+
+        dvec3 draw(const dvec2&) const { return light.direction; }
+        DirectedLight at(const dvec3&) const { return {light.irradiance, 1.0}; }
+    };
+    using Light = std::variant<Surroundings, SphereLight, Beam>;
+    static Light lightOf(const Source& source, const MaterialPoint& material, const dvec3& view,
+                         DirectionChoice choice);
+
     enum class Density
     {
         light,
@@ -56,10 +77,10 @@ private:
     };
     std::vector<Share> sharesOf(DirectionChoice choice) const;
     dvec3 draw(Density from, const dvec2& u) const;
-    double density(Density of, const dvec3& l, const DirectedLight& light) const;
+    double density(Density of, const dvec3& l, const DirectedLight& arriving) const;
     dvec3 contribution(const dvec3& l, std::uint64_t key) const;
 
-    Source source;
+    Light incoming;
     std::vector<Share> shares;
     double openness;      // share of the light that occlusion leaves
     dmat3 worldFromLocal; // local: the normal is +Z

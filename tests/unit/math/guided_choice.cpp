@@ -44,6 +44,8 @@ TEST(GuidedChoice, IsTheIntervalThatABinarySearchFinds)
             }
             for (const double u : places) {
                 const IntervalChoice chosen = choose(sums, guide, u);
+                ASSERT_EQ(choose(sums, u).index, chosen.index) << u;
+                ASSERT_EQ(choose(sums, u).rest, chosen.rest) << u;
                 const double target = u * sums.back();
                 ASSERT_GT(lengths[chosen.index], 0.0) << u;
                 const auto found = std::upper_bound(sums.begin(), sums.end(), target);

@@ -5,6 +5,10 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cmath>
+#include <random>
+
 namespace torrance {
 namespace {
 
@@ -51,10 +55,10 @@ TEST(EnvironmentSampler, RadianceIsThatOfTheTexelAtItsCentreAndTheirMeanBetween)
         }
 }
 
-TEST(EnvironmentSampler, DrawsFromItsDensity)
+// The density's integral is 1, and of many directions as many lie in each part of the sphere as it says.
+void expectDrawsFromItsDensity(const Environment& environment, const EnvironmentSampler& sampler,
+                               const EnvironmentSampler::Distribution& distribution)
 {
-    const Environment environment = patchwork();
-    const EnvironmentSampler sampler(environment);
     // Half texels: between their edges the density over (u, v) is bilinear, and its mean is that of the middle.
     constexpr int kColumns = 32, kRows = 16, kSamples = 1000000;
     std::vector<double> expected, counts(kColumns * kRows, 0.0);
@@ -63,7 +67,7 @@ TEST(EnvironmentSampler, DrawsFromItsDensity)
         for (int x = 0; x < kColumns; ++x) {
             const double u = (x + 0.5) / kColumns, v = (y + 0.5) / kRows;
             const double solidAngle = 2.0 * kPi * kPi * std::sin(kPi * v) / (kColumns * kRows); // per (u, v) there
-            const double share = sampler.at(worldDirection(environment, u, v)).density * solidAngle;
+            const double share = sampler.at(worldDirection(environment, u, v), distribution).density * solidAngle;
             integral += share;
             expected.push_back(share * kSamples);
         }
@@ -72,7 +76,7 @@ TEST(EnvironmentSampler, DrawsFromItsDensity)
     std::uniform_real_distribution<double> uniform;
     for (int i = 0; i < kSamples; ++i) {
         const double a = uniform(generator), b = uniform(generator);
-        const dvec3 d = sampler.draw({a, b});
+        const dvec3 d = sampler.draw({a, b}, distribution);
         const double c = std::cos(environment.rotation), s = std::sin(environment.rotation);
         const dvec2 place = latLongFromDirection({c * d.x - s * d.z, d.y, s * d.x + c * d.z});
         const int x = std::min(static_cast<int>(place.x * kColumns), kColumns - 1);
@@ -80,6 +84,56 @@ TEST(EnvironmentSampler, DrawsFromItsDensity)
         counts[static_cast<std::size_t>(y * kColumns + x)] += 1.0;
     }
     EXPECT_GE(test::chiSquareLikelihood(expected, counts), test::kFamilyLevel);
+}
+
+TEST(EnvironmentSampler, DrawsFromItsDensity)
+{
+    const Environment environment = patchwork();
+    const EnvironmentSampler sampler(environment);
+    expectDrawsFromItsDensity(environment, sampler, sampler.plain());
+}
+
+// Tiles of one texel here, some of them without importance, at the seam and at a pole, too.
+TEST(EnvironmentSampler, DrawsFromItsDensityTimesAnImportance)
+{
+    const Environment environment = patchwork();
+    const EnvironmentSampler sampler(environment);
+    std::vector<double> importance(sampler.tiles().size());
+    std::mt19937 generator(11);
+    for (double& value : importance)
+        value = generator() % 3 == 0 ? 0.0 : static_cast<double>(generator() % 1000);
+    expectDrawsFromItsDensity(environment, sampler, sampler.weighed(importance));
+    EXPECT_FALSE(sampler.weighed(std::vector<double>(importance.size(), 0.0)).usable());
+}
+
+// Tiles of several texels, of which those at the right and at the bottom are cut off by the picture's edges. Even
+// light: the density of a direction says which tile it lies in.
+TEST(EnvironmentSampler, TilesCoverThePanorama)
+{
+    const int width = 3 * EnvironmentSampler::kMostTilesAcross + 2, height = 101; // tiles of 4 x 4 texels
+    Environment environment;
+    environment.radiance = Image(width, height, 3);
+    std::ranges::fill(environment.radiance.texels, 1.0f);
+    const EnvironmentSampler sampler(environment);
+    const std::size_t across = (static_cast<std::size_t>(width) + 3) / 4,
+                      down = (static_cast<std::size_t>(height) + 3) / 4;
+    ASSERT_EQ(sampler.tiles().size(), across * down);
+    double sphere = 0.0;
+    for (const EnvironmentSampler::Tile& tile : sampler.tiles())
+        sphere += static_cast<double>(tile.solidAngle);
+    EXPECT_NEAR(sphere, 4.0 * kPi, 1e-4);
+    for (const std::size_t chosen : {std::size_t(0), across - 1, across * down / 2, across * down - 1}) {
+        std::vector<double> importance(across * down, 0.0);
+        importance[chosen] = 1.0;
+        const auto distribution = sampler.weighed(importance);
+        const EnvironmentSampler::Tile& tile = sampler.tiles()[chosen];
+        for (int i = 0; i < 32; ++i)
+            for (int j = 0; j < 32; ++j) {
+                const dvec3 d = sampler.draw({(i + 0.5) / 32, (j + 0.5) / 32}, distribution);
+                ASSERT_LE(std::acos(std::min(1.0, glm::dot(d, dvec3(tile.center)))), double(tile.radius) + 1e-4)
+                    << chosen;
+            }
+    }
 }
 
 TEST(EnvironmentSampler, TheSquaresCornersAreDirections)
