@@ -198,6 +198,9 @@ TEST(TolerancePlan, StepsUpToWhatTheTableSaysIsEnough)
     // At least one step, whatever is expected; and none above the highest.
     ASSERT_TRUE(stepUp(plan, 1e-6));
     EXPECT_EQ(ladderFor(plan, Slot::environmentSpecular).taken().samples, 1024);
+    EXPECT_FALSE(isNearest(plan));
+    ASSERT_TRUE(stepUp(plan, 1e-6));
+    EXPECT_EQ(ladderFor(plan, Slot::environmentSpecular).taken().samples, kLadderSamples.back());
     EXPECT_TRUE(isNearest(plan));
     EXPECT_FALSE(stepUp(plan, 0.5));
 }
