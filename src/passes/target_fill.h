@@ -16,8 +16,8 @@ public:
     explicit TargetFill(const gpu::Device& d) : device(d) {}
 
     /// To be called before beginRendering with the same targets, which are of one size: records what fills them with
-    /// `color` and says that they are kept, or, where the device clears by itself, returns `color`. A recording fills
-    /// with kStrips colours at most; it is waited for before the next one begins.
+    /// the bits of `color` and says that they are kept, or, where the device clears by itself, returns `color`. A
+    /// recording fills with kStrips colours at most; it is waited for before the next one begins.
     ClearColor fill(gpu::Commands& commands, std::span<const gpu::DeviceImage* const> targets, const ClearColor& color);
 
     static constexpr std::size_t kStrips = 2; // what lies behind the scene, and nothing
