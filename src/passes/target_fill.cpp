@@ -1,14 +1,15 @@
 #include "passes/target_fill.h"
 
 #include <algorithm>
+#include <cassert>
 #include <cstring>
 #include <vector>
 
 namespace torrance {
 namespace {
 
-constexpr std::size_t kTexelBytes = 16;        // of kColorFormat and kAttributeFormat
-constexpr std::size_t kStripBytes = 256 << 10; // stays in a processor's cache while it is copied over a picture
+constexpr std::size_t kTexelBytes = sizeof(vec4); // of kColorFormat and kAttributeFormat
+constexpr std::size_t kStripBytes = 256 << 10;    // stays in a processor's cache while it is copied over a picture
 
 bool clearsByItself(const gpu::Device& device)
 {
@@ -23,6 +24,7 @@ std::uint32_t rowsOf(std::uint32_t width)
 void copyOver(gpu::Commands& commands, const gpu::Buffer& texels, std::uint32_t rows, const gpu::DeviceImage& target)
 {
     const gpu::ImageShape& shape = target.shape;
+    assert(shape.format == kColorFormat || shape.format == kAttributeFormat);
     std::vector<vk::BufferImageCopy> regions;
     for (std::uint32_t y = 0; y < shape.height; y += rows)
         regions.push_back({.imageSubresource = {target.aspect(), 0, 0, 1},

@@ -10,7 +10,7 @@ namespace torrance {
 
 LightIntegral::LightIntegral(const Yardstick& yardstick, const Source& source, const MaterialPoint& material,
                              const dvec3& v, DirectionChoice choice, ResponsePart part)
-    : incoming(lightOf(source, material, v, choice)), shares(sharesOf(choice)),
+    : incoming(incomingOf(source, material, v, choice)), shares(sharesOf(choice)),
       // Occlusion stands for what hides indirect light (glTF 2.0, 3.9.3).
       openness(std::holds_alternative<Surroundings>(incoming) ? material.occlusion : 1.0),
       worldFromLocal(frameAround(material.normal)), view(v * worldFromLocal),
@@ -19,8 +19,8 @@ LightIntegral::LightIntegral(const Yardstick& yardstick, const Source& source, c
 {
 }
 
-LightIntegral::Light LightIntegral::lightOf(const Source& source, const MaterialPoint& material, const dvec3& view,
-                                            DirectionChoice choice)
+LightIntegral::Incoming LightIntegral::incomingOf(const Source& source, const MaterialPoint& material,
+                                                  const dvec3& view, DirectionChoice choice)
 {
     if (const auto* sphere = std::get_if<SphereLight>(&source))
         return *sphere;

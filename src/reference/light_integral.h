@@ -60,9 +60,9 @@ private:
         dvec3 draw(const dvec2&) const { return light.direction; }
         DirectedLight at(const dvec3&) const { return {light.irradiance, 1.0}; }
     };
-    using Light = std::variant<Surroundings, SphereLight, Beam>;
-    static Light lightOf(const Source& source, const MaterialPoint& material, const dvec3& view,
-                         DirectionChoice choice);
+    using Incoming = std::variant<Surroundings, SphereLight, Beam>;
+    static Incoming incomingOf(const Source& source, const MaterialPoint& material, const dvec3& view,
+                               DirectionChoice choice);
 
     enum class Density
     {
@@ -80,7 +80,7 @@ private:
     double density(Density of, const dvec3& l, const DirectedLight& arriving) const;
     dvec3 contribution(const dvec3& l, std::uint64_t key) const;
 
-    Light incoming;
+    Incoming incoming;
     std::vector<Share> shares;
     double openness;      // share of the light that occlusion leaves
     dmat3 worldFromLocal; // local: the normal is +Z

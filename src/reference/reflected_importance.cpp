@@ -1,5 +1,7 @@
 #include "reference/reflected_importance.h"
 
+#include "scene/phong.h"
+
 #include <algorithm>
 #include <cmath>
 
@@ -7,6 +9,13 @@ namespace torrance {
 namespace {
 
 constexpr float kPiF = static_cast<float>(kPi);
+// A tile that the horizon crosses counts as if it lay this part of its radius above: some of it does.
+constexpr float kLeastHeight = 0.5f;
+// The lobe is as much wider as half vectors vary within a tile, about: by half of what directions do, whose standard
+// deviation is half of a tile's radius.
+constexpr float kSpread = 0.25f;
+// Of |l + v|^2, where light comes from straight behind the surface and the half vector has no direction.
+constexpr float kLeastHalf2 = 1e-6f;
 
 // A surface as the importance sees it, in the world's axes.
 struct Surface
@@ -25,13 +34,12 @@ float meanOf(const dvec3& color)
 
 Surface surfaceOf(const MaterialPoint& m, const dvec3& view)
 {
-    const double ratio = (m.ior - 1.0) / (m.ior + 1.0);
     const float color = meanOf(m.baseColor), metallic = static_cast<float>(m.metallic);
     return {.normal = vec3(m.normal),
             .view = vec3(view),
             .NoV = std::max(static_cast<float>(glm::dot(m.normal, view)), static_cast<float>(kMinNoV)),
             .alpha = static_cast<float>(m.perceptualRoughness * m.perceptualRoughness),
-            .f0 = static_cast<float>(ratio * ratio) * (1.0f - metallic) + color * metallic,
+            .f0 = static_cast<float>(reflectanceOfIor(m.ior)) * (1.0f - metallic) + color * metallic,
             .body = color * (1.0f - metallic) / kPiF};
 }
 
@@ -39,7 +47,7 @@ Surface surfaceOf(const MaterialPoint& m, const dvec3& view)
 float cosineOf(const Surface& s, const EnvironmentSampler::Tile& tile)
 {
     const float fromNormal = glm::dot(s.normal, tile.center);
-    return fromNormal <= -tile.radius ? 0.0f : std::max(fromNormal, 0.5f * tile.radius); // sin x < x
+    return fromNormal <= -tile.radius ? 0.0f : std::max(fromNormal, kLeastHeight * tile.radius); // sin x < x
 }
 
 // The lobe times NoL. The half vector turns by half of what a direction does; visibility is Hammon's (PBR Diffuse
@@ -48,9 +56,10 @@ float lobeOf(const Surface& s, const EnvironmentSampler::Tile& tile, float NoL)
 {
     if (NoL == 0.0f)
         return 0.0f;
-    const float half2 = std::max(2.0f + 2.0f * glm::dot(tile.center, s.view), 1e-6f); // |l + v|^2
+    const float half2 = std::max(2.0f + 2.0f * glm::dot(tile.center, s.view), kLeastHalf2);
     const float NoH2 = std::min((NoL + s.NoV) * (NoL + s.NoV) / half2, 1.0f);
-    const float a2 = s.alpha * s.alpha + 0.0625f * tile.radius * tile.radius;
+    const float spread = kSpread * tile.radius;
+    const float a2 = s.alpha * s.alpha + spread * spread;
     const float d = NoH2 * (a2 - 1.0f) + 1.0f;
     const float D = a2 / (kPiF * d * d);
     const float V = 0.5f / (2.0f * NoL * s.NoV * (1.0f - s.alpha) + (NoL + s.NoV) * s.alpha);

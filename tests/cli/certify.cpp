@@ -127,6 +127,10 @@ TEST_F(Certify, RefusesCertificatesThatAreNone)
     expectRefused({"verify", folder.file("a.png")}, 3, file);
     put(file, "{}");
     expectRefused({"verify", folder.file("a.png")}, 3, "format");
+    auto earlier = nlohmann::json::parse(good);
+    earlier["format"] = "torrance certificate 1"; // whose truths were drawn otherwise
+    put(file, earlier.dump());
+    expectRefused({"verify", folder.file("a.png")}, 3, "made by another version");
     for (const char* part : {"image", "scene", "sample", "shading", "worst"}) {
         auto json = nlohmann::json::parse(good);
         json.erase(part);

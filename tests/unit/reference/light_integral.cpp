@@ -104,6 +104,21 @@ TEST(LightIntegral, IsTheSameWhereverDirectionsAreDrawnFrom)
     }
 }
 
+// No tile above the surface has light: there is nothing to draw by, and nothing that is reflected.
+TEST(LightIntegral, OfLightFromBelowIsNothing)
+{
+    const std::vector<Case> cases = allCases();
+    const dvec3 down = -cases.front().material.normal;
+    const EnvironmentSampler environment(
+        panoramaOf([&](const dvec3& d) { return dvec3(glm::dot(d, down) > 0.9 ? 5.0 : 0.0); }, 64));
+    for (const Case& c : cases) {
+        const Replicates light =
+            integrate(*brdf::findPreset("standard"), &environment, c, DirectionChoice::combined, 16);
+        for (const dvec3& value : light.values)
+            EXPECT_EQ(value, dvec3(0.0)) << describe(c);
+    }
+}
+
 TEST(LightIntegral, OfTheRoughestWhiteMetalHeadOnIsOneMinusLogTwo)
 {
     const EnvironmentSampler environment(panoramaOf([](const dvec3&) { return dvec3(1.0); }, 16));

@@ -73,6 +73,20 @@ TEST(ReflectedImportance, LittleIsDrawnBelowTheSurface)
     EXPECT_LT(below, kSide * kSide / 20);
 }
 
+// Where light comes from straight behind, the half vector has no direction.
+TEST(ReflectedImportance, IsFiniteAroundTheSphere)
+{
+    MaterialPoint material = materialOf(0.0, 1.0);
+    for (const EnvironmentSampler::Tile& tile : sky().tiles()) {
+        const dvec3 view = -glm::normalize(dvec3(tile.center));
+        material.normal = glm::normalize(glm::cross(view, std::abs(view.y) < 0.9 ? dvec3(0, 1, 0) : dvec3(1, 0, 0)));
+        for (const double value : reflectedImportance(sky().tiles(), material, view)) {
+            ASSERT_TRUE(std::isfinite(value));
+            ASSERT_GE(value, 0.0);
+        }
+    }
+}
+
 // A mirror seen at a grazing angle has a lobe smaller than a tile, whose factors are huge there: it may not take the
 // directions away from the body, which reflects most of the light.
 TEST(ReflectedImportance, ALobeIsNoBrighterThanWhatItReflects)
