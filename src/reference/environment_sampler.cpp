@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cassert>
 #include <cmath>
 
 namespace torrance {
@@ -134,6 +135,7 @@ DirectedLight EnvironmentSampler::at(const dvec3& direction, const Distribution&
 
 dvec3 EnvironmentSampler::draw(const dvec2& u, const Distribution& distribution) const
 {
+    assert(distribution.usable());
     const std::size_t side = std::size_t(1) << tileShift;
     const auto tilesInRow = static_cast<std::size_t>(tilesAcross);
     const IntervalChoice tileRow = choose(distribution.down, u.y);

@@ -14,8 +14,6 @@ constexpr float kLeastHeight = 0.5f;
 // The lobe is as much wider as half vectors vary within a tile, about: by half of what directions do, whose standard
 // deviation is half of a tile's radius.
 constexpr float kSpread = 0.25f;
-// Of |l + v|^2, where light comes from straight behind the surface and the half vector has no direction.
-constexpr float kLeastHalf2 = 1e-6f;
 
 // A surface as the importance sees it, in the world's axes.
 struct Surface
@@ -56,7 +54,7 @@ float lobeOf(const Surface& s, const EnvironmentSampler::Tile& tile, float NoL)
 {
     if (NoL == 0.0f)
         return 0.0f;
-    const float half2 = std::max(2.0f + 2.0f * glm::dot(tile.center, s.view), kLeastHalf2);
+    const float half2 = std::max(2.0f + 2.0f * glm::dot(tile.center, s.view), 0.0f); // |l + v|^2, rounded
     const float NoH2 = std::min((NoL + s.NoV) * (NoL + s.NoV) / half2, 1.0f);
     const float spread = kSpread * tile.radius;
     const float a2 = s.alpha * s.alpha + spread * spread;
