@@ -1,6 +1,6 @@
 // The specular lobe's integral over an environment that is split into lamps and the rest (src/prepare/environment_lamps.h): directions
-// of the lobe find the rest and lamps, points find lamps once more, and what both find counts by the balance heuristic (Veach &
-// Guibas 1995, section 3.2). A narrow lobe is so left to its directions, a wide one's lamps to their points.
+// of the lobe find the rest and lamps, points find lamps once more, and what both find counts by the power heuristic (Veach &
+// Guibas 1995, section 3.3, beta = 2). A narrow lobe is so left to its directions, a wide one's lamps to their points.
 #include "environment/lobe_sample.glsl"
 #include "environment/radiance_level.glsl"
 #include "environment/sample_points.glsl"
@@ -10,7 +10,15 @@
 layout(constant_id = 3) const uint kEnvironmentSamples = 1;
 layout(constant_id = 5) const uint kLampPoints = 1;
 
-// n and v unit, in the environment's axes. `lamps` has their radiance and, in alpha, its mean times the density of their points.
+// What one way of finding light counts of it, beside another: both densities times their numbers, own > 0. Ratios, for squares of a
+// mirror's densities are no floats.
+float shareOf(float own, float other)
+{
+    float ratio = other / own;
+    return 1.0 / (1.0 + ratio * ratio);
+}
+
+// n and v unit, in the environment's axes. `lamps` has their radiance and, in alpha, what of its mean is of the small kind.
 SpecularSums lampSums(samplerCube rest, samplerCube lamps, vec3 n, vec3 v, float alpha, float perceptualRoughness, vec2 rotation)
 {
     const float directions = float(kEnvironmentSamples), points = float(kLampPoints);
@@ -29,8 +37,9 @@ SpecularSums lampSums(samplerCube rest, samplerCube lamps, vec3 n, vec3 v, float
         float level = radianceLevel(l, directions, s.density, size);
         vec4 lamp = textureLod(lamps, l, level);
         float mean = (lamp.r + lamp.g + lamp.b) * (1.0 / 3.0);
-        float own = directions * s.density * mean; // both densities times the light: black lamps have none
-        float share = mean > 0.0 ? own / (own + points * lamp.a) : 0.0;
+        float own = directions * s.density;
+        vec2 shares = vec2(shareOf(own, points * frame.lampDensities.x), shareOf(own, points * frame.lampDensities.y));
+        float share = mean > 0.0 ? mix(shares.x, shares.y, lamp.a / mean) : 0.0;
         vec3 light = textureLod(rest, l, level).rgb + lamp.rgb * share;
         addReflected(sums, light * (s.weight * V / directions), VoH);
     }
@@ -45,8 +54,8 @@ SpecularSums lampSums(samplerCube rest, samplerCube lamps, vec3 n, vec3 v, float
         float VoH = 0.5 * sqrt(length2);
         float D = ggxOf(h, alpha);
         float V = SELECTED_visibility(view.z, max(l.z, 0.0), h.z, VoH, alpha, perceptualRoughness);
-        float own = points * lamp.coneScale;
-        float share = own / (own + directions * densityOverD * D + kLeastDenominator);
+        float own = max(points * lamp.coneScale, kLeastDenominator); // black points have none
+        float share = shareOf(own, directions * densityOverD * D);
         addReflected(sums, lamp.intensity * (D * V * max(l.z, 0.0) * share), VoH);
     }
     return sums;

@@ -27,6 +27,7 @@ struct Frame
     mat3 environmentFromWorld; // rotation
     float environmentIntensity;
     float environmentLastLevel; // of the prefiltered chain
+    vec2 lampDensities; // 1/sr: of the points on the environment's wide and on its small lamps
     vec3 irradianceHarmonics[9]; // irradiance / pi in shBasis's order, for environment_diffuse sh9
     float panoramaLevel;        // mip of what is seen behind the scene: of the panorama, the one of about one texel a pixel
     uint picture;               // number of this picture among those whose mean is the result

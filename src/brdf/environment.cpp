@@ -185,8 +185,8 @@ dvec3 Es_vndf_bounded(const EnvironmentQuery& query)
         [&](const dvec3& v, const dvec3& l) { return ggxReflectionDensity(v, alpha, l); });
 }
 
-// Written over the sum of both densities, where the device weighs: f L / (N p + K q) for directions, and f E q / (K q +
-// N p) for points of energy E, for a point stands for its region's share 1 / K of the lamps' density q.
+// Written over the squares of both densities, where the device weighs by their ratio: f L N p / ((N p)^2 + (K q)^2) for
+// directions, and f E (K q)^2 / ((K q)^2 + (N p)^2) for points of energy E.
 dvec3 Es_vndf_lamps(const EnvironmentQuery& query)
 {
     const dvec2 alpha(alphaOf(query));
@@ -208,13 +208,14 @@ dvec3 Es_vndf_lamps(const EnvironmentQuery& query)
             continue;
         const LampLight lamp = query.lamps ? query.lamps(axes * l) : LampLight();
         const dvec3 rest = query.radiance(axes * l) - lamp.radiance;
-        sum += reflected(l) * (rest / p + lamp.radiance / (p + points * lamp.density));
+        const double q = points * lamp.density;
+        sum += reflected(l) * (rest / p + lamp.radiance * (p / (p * p + q * q)));
     }
     for (const LampPoint& lamp : query.lampPoints) {
         const dvec3 l = lamp.direction * axes;
         if (l.z > 0 && lamp.density > 0) {
             const double p = directions * ggxReflectionDensity(v, alpha, l), q = points * lamp.density;
-            sum += reflected(l) * lamp.energy * (q / (p + q));
+            sum += reflected(l) * lamp.energy * (q * q / (p * p + q * q));
         }
     }
     return sum;

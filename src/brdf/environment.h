@@ -26,7 +26,7 @@ dvec3 Es_filtered_importance(const EnvironmentQuery& query);
 dvec3 Es_vndf(const EnvironmentQuery& query);
 dvec3 Es_vndf_caps(const EnvironmentQuery& query);
 dvec3 Es_vndf_bounded(const EnvironmentQuery& query);
-/// The same, and points for the lamps: what both find of these counts by the balance heuristic.
+/// The same, and points for the lamps: what both find of these counts by the power heuristic.
 dvec3 Es_vndf_lamps(const EnvironmentQuery& query);
 
 /// What source B's phong sees in the mirror direction: the environment itself.

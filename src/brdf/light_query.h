@@ -14,7 +14,7 @@ struct Preset;
 struct LampLight
 {
     dvec3 radiance = dvec3(0.0);
-    double density = 0.0; // 1/sr; 0 where no point stands for it
+    double density = 0.0; // 1/sr, of the points of its kind; 0 where no point stands for it
 };
 
 /// A point that stands for a part of an environment's lamps.
@@ -22,7 +22,7 @@ struct LampPoint
 {
     dvec3 direction = dvec3(0, 1, 0); // unit
     dvec3 energy = dvec3(0.0);        // radiance times solid angle
-    double density = 0.0;             // 1/sr
+    double density = 0.0;             // 1/sr, of all points of its kind
 };
 
 /// Light from all directions on a surface point. Directions are unit and point away from the surface.

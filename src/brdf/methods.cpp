@@ -479,7 +479,7 @@ constexpr Method kMethods[] = {
      .id = "vndf_lamps",
      .citation =
          "Eto & Tokuyoshi 2023, listing 1, and points for lamps after Agarwal et al. 2003, Structured Importance "
-         "Sampling of Environment Maps; weighed by the balance heuristic of Veach & Guibas 1995, section 3.2",
+         "Sampling of Environment Maps; weighed by the power heuristic of Veach & Guibas 1995, section 3.3",
      .approximates = "the integral of BRDF and environment, by --environment-samples directions of a filtered "
                      "environment and four times as many points for what is far brighter than the rest",
      .domain = {.text = "distant environments; D ggx with V smith_corr"},

@@ -4,7 +4,6 @@
 #include "brdf/irradiance_window.h"
 #include "passes/dfg_upload.h"
 #include "passes/image_fill.h"
-#include "prepare/environment_lamps.h"
 #include "prepare/irradiance.h"
 #include "prepare/panorama.h"
 #include "prepare/radiance_cube.h"
@@ -75,7 +74,8 @@ const LampImages& EnvironmentStore::lamps(const Image& radiance, const ContentHa
     EnvironmentLamps split = splitLamps(cubeTexels(radiance, content, size), size, points);
     return lampImages
         .emplace(key, LampImages{uploadCube(device, split.rest, CubeAlpha::unread, "radiance without lamps"),
-                                 uploadCube(device, split.lamps, CubeAlpha::read, "lamps"), std::move(split.points)})
+                                 uploadCube(device, split.lamps, CubeAlpha::read, "lamps"), std::move(split.points),
+                                 split.densities})
         .first->second;
 }
 
@@ -138,6 +138,7 @@ void EnvironmentStore::addLight(EnvironmentImages& images, const Image& radiance
         images.radiance = &split.rest;
         images.lamps = &split.lamps;
         images.lampPoints = split.points;
+        images.lampDensities = split.densities;
     } else if (samples || diffuse == "sampled") {
         images.radiance = &radianceCube(radiance, content, size);
     }

@@ -7,6 +7,7 @@
 #include "gpu/image.h"
 #include "passes/light_cubes.h"
 #include "plan/shading_plan.h"
+#include "prepare/environment_lamps.h"
 
 #include <array>
 #include <filesystem>
@@ -28,6 +29,7 @@ struct EnvironmentImages
     const gpu::DeviceImage* radiance = nullptr; // cube with plain mips, for methods that draw samples
     const gpu::DeviceImage* lamps = nullptr;    // what was taken out of it, as environment_lamps.h has it
     std::span<const brdf::LampPoint> lampPoints = {};
+    LampDensities lampDensities;
     const gpu::DeviceImage* panorama = nullptr;   // lat-long, with mips: seen behind the scene, or in its mirrors
     const gpu::DeviceImage* background = nullptr; // cube, prefiltered chain: what is seen behind the scene in its place
     const gpu::DeviceImage* dfg = nullptr;        // directional albedos
@@ -38,6 +40,7 @@ struct LampImages
 {
     gpu::DeviceImage rest, lamps;
     std::vector<brdf::LampPoint> points;
+    LampDensities densities;
 };
 
 class EnvironmentStore

@@ -26,6 +26,7 @@ shared::Frame frameOf(const DeviceScene& scene, const Camera& camera, const dvec
     const int panoramaWidth = environment.panorama ? static_cast<int>(environment.panorama->shape.width) : 0;
     shared::Frame frame = makeFrame(scene.scene, scene.plan, camera, offset, levels, panoramaWidth);
     std::ranges::copy(environment.harmonics, frame.irradianceHarmonics);
+    frame.lampDensities = vec2(environment.lampDensities.wide, environment.lampDensities.small);
     if (environment.background) {
         const double roughness = scene.plan.settings.backgroundBlur;
         frame.panoramaLevel =

@@ -21,7 +21,7 @@ LightCubes makeLightCubes(const gpu::Device& device, const brdf::Method& specula
 EnvironmentMaps keptEnvironmentMaps(const brdf::Method& specular, const Image& radiance, const ContentHash& content,
                                     DiskCache& cache);
 
-/// Whether shaders read the fourth channel: density, in the cube of lamps alone.
+/// Whether shaders read the fourth channel: the small ones, in the cube of lamps alone.
 enum class CubeAlpha
 {
     read,

@@ -183,6 +183,61 @@ std::vector<Region> cutIntoRegions(const std::vector<float>& lamps, int size, in
     return regions;
 }
 
+// The mean radiance of what shines in it, by its light: a region may reach beyond its lamp.
+double brightnessOf(const Region& region)
+{
+    return region.sums.square / region.sums.light;
+}
+
+// Light, and light times the logarithm of brightness, of regions that shine.
+struct KindSums
+{
+    double light = 0.0, logs = 0.0;
+    void add(const Region& region)
+    {
+        light += region.sums.light;
+        logs += region.sums.light * std::log(brightnessOf(region));
+    }
+    double meanLog() const { return light > 0.0 ? logs / light : 0.0; }
+};
+
+// The brightness from which lamps are small ones: where it parts the logarithms, by their light, into two kinds that
+// vary least within themselves, that is most between each other (Otsu 1979).
+double leastOfSmallLamps(std::vector<Region> regions)
+{
+    std::erase_if(regions, [](const Region& region) { return !(region.sums.light > 0.0); });
+    std::ranges::sort(regions, {}, brightnessOf);
+    KindSums all, wide;
+    for (const Region& region : regions)
+        all.add(region);
+    double limit = 0.0, most = 0.0;
+    for (std::size_t i = 0; i + 1 < regions.size(); ++i) {
+        wide.add(regions[i]);
+        const KindSums small = {all.light - wide.light, all.logs - wide.logs};
+        const double apart = small.meanLog() - wide.meanLog();
+        const double between = wide.light * small.light * apart * apart;
+        if (between > most && brightnessOf(regions[i]) < brightnessOf(regions[i + 1])) {
+            most = between;
+            limit = brightnessOf(regions[i + 1]);
+        }
+    }
+    return limit;
+}
+
+// Of each kind the share of all lamps' light that a steradian of it has: the mean by light, of logarithms as above.
+LampDensities densitiesOf(const std::vector<Region>& regions, double limit)
+{
+    KindSums wide, small;
+    for (const Region& region : regions)
+        if (region.sums.light > 0.0)
+            (brightnessOf(region) >= limit ? small : wide).add(region);
+    const double light = wide.light + small.light;
+    if (!(light > 0.0))
+        return {};
+    const auto density = [&](const KindSums& kind) { return std::exp(kind.meanLog()) / light; };
+    return {density(wide.light > 0.0 ? wide : small), density(small)};
+}
+
 } // namespace
 
 EnvironmentLamps splitLamps(const std::vector<float>& radiance, int size, int count)
@@ -198,20 +253,20 @@ EnvironmentLamps splitLamps(const std::vector<float>& radiance, int size, int co
         }
     }
     const std::vector<Region> regions = cutIntoRegions(lamps, size, count);
-    double light = 0.0;
-    for (const Region& region : regions)
-        light += region.sums.light;
     EnvironmentLamps result;
+    const double limit = leastOfSmallLamps(regions);
+    result.densities = densitiesOf(regions, limit);
     for (const Region& region : regions) {
         if (!(region.sums.light > 0.0))
             continue;
-        const double density = region.sums.light / (region.sums.solidAngle * light);
+        const bool small = brightnessOf(region) >= limit;
         if (static_cast<int>(result.points.size()) < count)
-            result.points.push_back({glm::normalize(region.sums.towards), region.sums.energy, density});
-        for (int y = region.y0; y < region.y1; ++y)
+            result.points.push_back({glm::normalize(region.sums.towards), region.sums.energy,
+                                     small ? result.densities.small : result.densities.wide});
+        for (int y = region.y0; small && y < region.y1; ++y)
             for (int x = region.x0; x < region.x1; ++x) {
                 float* texel = lamps.data() + 4 * cubeTexelIndex(region.face, x, y, size);
-                texel[3] = static_cast<float>(meanOf(texel) * density);
+                texel[3] = static_cast<float>(meanOf(texel));
             }
     }
     result.points.resize(static_cast<std::size_t>(count));

@@ -8,15 +8,24 @@
 
 namespace torrance {
 
+/// Lamps are of two kinds, by how densely points lie on them (1/sr): suns and bulbs, and windows. All points of a kind
+/// count by its one density: a weight made of it is then linear in the light of each kind, and stays what it is where
+/// texels of both are averaged. Of densities that vary from region to region it did not: weights are convex in them,
+/// and the share that directions took was too small by up to 3 % of all light.
+struct LampDensities
+{
+    double wide = 0.0;
+    double small = 0.0; // as `wide` where all lamps are of one kind
+};
+
 struct EnvironmentLamps
 {
-    CubeLevels rest; // radiance without the lamps, RGB and 1
-    /// Radiance of the lamps, RGB, and in A the mean of the three times the density of the region: A over that mean is
-    /// then the density of what shines, however many texels are averaged.
-    CubeLevels lamps;
-    /// One a region, in the environment's axes: towards the mean of its directions, by their light; its density is its
-    /// share of all lamps' light, spread over it evenly.
+    CubeLevels rest;  // radiance without the lamps, RGB and 1
+    CubeLevels lamps; // radiance of the lamps, RGB, and in A what of the mean of the three is of small ones
+    /// One a region, in the environment's axes: towards the mean of its directions, by their light; its density is that
+    /// of its kind.
     std::vector<brdf::LampPoint> points;
+    LampDensities densities;
 };
 
 /// Texels brighter (mean of the channels) than this many robust means are lamps: what lies below varies so little that

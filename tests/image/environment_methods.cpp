@@ -288,6 +288,33 @@ TEST(EnvironmentSpecular, PointsFindTheLampsThatDirectionsMiss)
     }
 }
 
+// A small lamp in a wide one: points lie a thousand times as densely on it, and one footprint of a direction holds
+// both. What directions leave to points, points must find: the light of all pixels together is that of the integral. Of
+// densities that are averaged with the light it was not, for weights are convex in them.
+TEST(EnvironmentSpecular, DirectionsAndPointsTogetherLoseNoLight)
+{
+    const auto glow = [](const dvec3& d) {
+        const double oneLessCosine = 1.0 - glm::dot(d, glm::normalize(dvec3(0.5, 0.7, 0.4)));
+        return dvec3(0.3) + dvec3(30.0) * std::exp(-oneLessCosine / 0.1) +
+               dvec3(6000.0) * std::exp(-oneLessCosine / 0.001);
+    };
+    for (const double roughness : {0.4, 0.7, 1.0}) {
+        const Scene scene = ball(plainMaterial(dvec3(1.0), 1.0, roughness), panoramaOf(glow, kPanoramaWidth));
+        const Picture picture =
+            drawWith(scene, Slot::environmentSpecular, *brdf::findMethod(Slot::environmentSpecular, "vndf_lamps"), 64);
+        double drawn = 0.0, exact = 0.0;
+        forEachPixel(scene, [&](int x, int y, brdf::EnvironmentQuery query) {
+            if ((x + 3 * y) % 7 != 0)
+                return;
+            query.radiance = glow;
+            query.samples = 1 << 14;
+            drawn += glm::dot(dvec3(pixelOf(picture, x, y)), dvec3(1.0));
+            exact += glm::dot(brdf::Es_vndf_bounded(query), dvec3(1.0));
+        });
+        EXPECT_NEAR(drawn / exact, 1.0, 5e-3) << roughness; // what the cube's energy may be off (environment_maps.h)
+    }
+}
+
 // A mirror shows the texels of what its directions are drawn from: of many directions, texels half as large.
 TEST(EnvironmentSpecular, ManyDirectionsShowMirrorsMoreExactly)
 {

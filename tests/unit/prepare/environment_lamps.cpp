@@ -61,14 +61,17 @@ TEST(EnvironmentLamps, BothPartsAreTheWholeAndTheRestIsGentle)
     });
 }
 
-TEST(EnvironmentLamps, PointsHaveTheLightOfTheLampsAndADensity)
+double meanOf(const float* lamp)
 {
-    double before = 0.0;
+    return (double(lamp[0]) + double(lamp[1]) + double(lamp[2])) / 3.0;
+}
+
+TEST(EnvironmentLamps, PointsHaveTheLightOfTheLampsAndTheDensityOfTheirKind)
+{
     for (const int count : {6, 64, 256}) {
         const EnvironmentLamps split = splitLamps(cubeOf(sky), kSize, count);
         ASSERT_EQ(split.points.size(), static_cast<std::size_t>(count));
         dvec3 energy(0.0), expected(0.0);
-        double covered = 0.0; // integral of the density where lamps shine: below 1, for regions reach beyond them
         int inside = 0;
         for (const brdf::LampPoint& point : split.points) {
             energy += point.energy;
@@ -78,9 +81,10 @@ TEST(EnvironmentLamps, PointsHaveTheLightOfTheLampsAndADensity)
                 return std::min(static_cast<int>((a + 1.0) / 2.0 * kSize), kSize - 1);
             };
             const float* lamp = &split.lamps.data[0][4 * cubeTexelIndex(at.face, texelOf(at.a), texelOf(at.b), kSize)];
-            const double mean = (double(lamp[0]) + double(lamp[1]) + double(lamp[2])) / 3.0;
-            if (point.density > 0.0 && mean > 0.0) {
-                EXPECT_NEAR(lamp[3] / mean, point.density, 1e-5 * point.density) << count;
+            if (point.density > 0.0 && meanOf(lamp) > 0.0) {
+                const bool small = lamp[3] > 0.0f;
+                EXPECT_EQ(point.density, small ? split.densities.small : split.densities.wide) << count;
+                EXPECT_TRUE(!small || std::abs(lamp[3] - meanOf(lamp)) <= 1e-6 * meanOf(lamp)) << count;
                 ++inside;
             }
         }
@@ -88,14 +92,37 @@ TEST(EnvironmentLamps, PointsHaveTheLightOfTheLampsAndADensity)
         forEachTexel([&](std::size_t i, const dvec3&, double omega) {
             const float* lamp = &split.lamps.data[0][i];
             expected += omega * dvec3(lamp[0], lamp[1], lamp[2]);
-            const double mean = (double(lamp[0]) + double(lamp[1]) + double(lamp[2])) / 3.0;
-            covered += mean > 0.0 ? omega * lamp[3] / mean : 0.0;
         });
         EXPECT_LT(glm::distance(energy, expected), 1e-5 * glm::length(expected)) << count;
-        EXPECT_LE(covered, 1.0 + 1e-5) << count;
-        EXPECT_GT(covered, before) << count << " regions fit the lamps better than fewer";
-        before = covered;
     }
+}
+
+// Where lamps are of two brightnesses the kinds are these lamps, and their densities the shares of light on a steradian
+// of each, whatever else the regions reach to.
+TEST(EnvironmentLamps, SunsAreSmallLampsAndWindowsAreWideOnes)
+{
+    const EnvironmentLamps split = splitLamps(cubeOf(sky), kSize, 512);
+    double sun = 0.0, window = 0.0, sunAngle = 0.0, windowAngle = 0.0;
+    forEachTexel([&](std::size_t i, const dvec3& d, double omega) {
+        const float* lamp = &split.lamps.data[0][i];
+        const bool ofSun = glm::dot(d, kSun) > 0.997;
+        EXPECT_EQ(lamp[3] > 0.0f, ofSun);
+        (ofSun ? sun : window) += omega * meanOf(lamp);
+        (ofSun ? sunAngle : windowAngle) += meanOf(lamp) > 0.0 ? omega : 0.0;
+    });
+    EXPECT_NEAR(split.densities.small, sun / (sunAngle * (sun + window)), 0.01 * split.densities.small);
+    EXPECT_NEAR(split.densities.wide, window / (windowAngle * (sun + window)), 0.01 * split.densities.wide);
+}
+
+TEST(EnvironmentLamps, LampsOfOneBrightnessAreOneKind)
+{
+    const EnvironmentLamps split = splitLamps(
+        cubeOf(+[](const dvec3& d) { return glm::dot(d, kWindow) > 0.95 ? dvec3(12.0) : dvec3(0.5); }), kSize, 64);
+    double angle = 0.0;
+    forEachTexel(
+        [&](std::size_t i, const dvec3&, double omega) { angle += split.lamps.data[0][i] > 0.0f ? omega : 0.0; });
+    EXPECT_NEAR(split.densities.small * angle, 1.0, 1e-6);
+    EXPECT_NEAR(split.densities.wide * angle, 1.0, 1e-6);
 }
 
 // More points lie nearer to what they stand for: the mean distance of lamps' light from its point falls like the root
