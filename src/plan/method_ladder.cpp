@@ -82,6 +82,13 @@ double costOf(const MethodRow& row, double reference)
     return row.cost->ratio.median * reference;
 }
 
+/// The same, of its doubt: the greater half of an interval that need not be even.
+double costDoubtOf(const MethodRow& row, double reference)
+{
+    const Measured& ratio = row.cost->ratio;
+    return std::max(ratio.high - ratio.median, ratio.median - ratio.low) * reference;
+}
+
 const MethodRow* rowOf(const MethodTable& table, const Method& method)
 {
     const auto found = std::ranges::find(table.rows, &method, &MethodRow::method);
@@ -113,24 +120,33 @@ void addRungs(std::vector<Rung>& rungs, const MethodTable& table, const MethodRo
     // The table's environment is not even; where the method is allowed, the scene's is.
     const double error = method.id == "even" ? 0.0 : expectedError(table, row, surfaces);
     if (!hasSamples(method)) {
-        rungs.push_back({&method, 0, costOf(row, reference), error});
+        rungs.push_back({&method, 0, costOf(row, reference), error, costDoubtOf(row, reference)});
         return;
     }
     const SampleCost cost = sampleCostOf(table, row, reference, cheapest);
-    for (const int samples : kLadderSamples)
-        rungs.push_back(
-            {&method, samples, cheapest + cost.of(samples), error * std::sqrt(double(kTableSamples) / samples)});
+    const double doubt = costDoubtOf(row, reference) / costOf(row, reference); // a share, the same of all numbers
+    for (const int samples : kLadderSamples) {
+        const double total = cheapest + cost.of(samples);
+        rungs.push_back({&method, samples, total, error * std::sqrt(double(kTableSamples) / samples), doubt * total});
+    }
 }
 
-// What something else is both cheaper and nearer than is no choice.
+// Beyond doubt: a machine that wanders must not part methods that cost the same. Rungs of one method wander together.
+bool isCheaper(const Rung& a, const Rung& b)
+{
+    return a.method == b.method ? a.cost < b.cost : a.cost + a.costDoubt < b.cost - b.costDoubt;
+}
+
+// What something else is nearer than and costs no more, as far as is known, is no choice.
 std::vector<Rung> front(std::vector<Rung> rungs)
 {
     std::ranges::stable_sort(
-        rungs, [](const Rung& a, const Rung& b) { return a.cost != b.cost ? a.cost < b.cost : a.error < b.error; });
+        rungs, [](const Rung& a, const Rung& b) { return a.error != b.error ? a.error < b.error : a.cost < b.cost; });
     std::vector<Rung> kept;
     for (const Rung& rung : rungs)
-        if (kept.empty() || rung.error < kept.back().error)
+        if (kept.empty() || isCheaper(rung, kept.back()))
             kept.push_back(rung);
+    std::ranges::reverse(kept);
     return kept;
 }
 
@@ -190,7 +206,7 @@ std::optional<MethodLadder> ladderOf(const MethodTable& table, Slot slot, const 
     ladder.rungs = front(std::move(rungs));
     for (const MethodRow* row : candidates)
         if (std::ranges::find(ladder.rungs, row->method, &Rung::method) == ladder.rungs.end())
-            ladder.refused.push_back({row->method, "something is both cheaper and nearer"});
+            ladder.refused.push_back({row->method, "something nearer costs no more"});
     return ladder;
 }
 

@@ -31,9 +31,10 @@ inline constexpr std::array kChosenSlots = {brdf::Slot::environmentDiffuse, brdf
 struct Rung
 {
     const brdf::Method* method = nullptr;
-    int samples = 0;    // 0: it draws none
-    double cost = 0.0;  // ns a pixel, of a whole frame with it; NaN: not measured
-    double error = 0.0; // mean error of the picture that is expected of it
+    int samples = 0;        // 0: it draws none
+    double cost = 0.0;      // ns a pixel, of a whole frame with it; NaN: not measured
+    double error = 0.0;     // mean error of the picture that is expected of it
+    double costDoubt = 0.0; // ns a pixel: half the width of the cost's 95 % interval
 };
 
 /// "vndf_lamps with 64 samples".
@@ -48,8 +49,9 @@ struct RefusedMethod
 struct MethodLadder
 {
     brdf::Slot slot = brdf::Slot::environmentSpecular;
-    std::vector<Rung> rungs; // both ascending in cost and descending in error
-    std::size_t at = 0;      // the one that is taken
+    /// Ascending in cost and descending in error; the intervals of two methods' costs lie apart.
+    std::vector<Rung> rungs;
+    std::size_t at = 0; // the one that is taken
     std::vector<RefusedMethod> refused;
 
     const Rung& taken() const { return rungs[at]; }

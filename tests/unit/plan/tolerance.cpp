@@ -84,6 +84,26 @@ TEST(MethodLadder, IsAFrontOfCostAndError)
         }
 }
 
+// What is cheaper by the median alone is no choice beside what is nearer.
+TEST(MethodLadder, PartsOnlyCostsWhoseIntervalsLieApart)
+{
+    const auto idsWith = [](double low, double high) {
+        MethodTable table = usual();
+        table.rows[1].cost->ratio = {0.90, low, high}; // sh4, beside irradiance_cube's 1
+        const auto ladder =
+            ladderOf(table, Slot::environmentDiffuse, *standard()[Slot::environmentDiffuse], kSurfaces, kLit);
+        std::vector<std::string_view> ids;
+        for (const Rung& rung : ladder->rungs)
+            ids.push_back(rung.method->id);
+        return ids;
+    };
+    using Ids = std::vector<std::string_view>;
+    EXPECT_EQ(idsWith(0.85, 0.95), (Ids{"sh4", "irradiance_cube"}));
+    EXPECT_EQ(idsWith(0.85, 1.01), (Ids{"irradiance_cube"}));
+    EXPECT_EQ(idsWith(0.78, 0.91), (Ids{"irradiance_cube"})) << "the greater half counts both ways";
+    EXPECT_EQ(idsWith(-HUGE_VAL, HUGE_VAL), (Ids{"irradiance_cube"})) << "too few frames say nothing";
+}
+
 // Directions cost what vndf_bounded takes longer than the cheapest, points what vndf_lamps takes longer than that; all
 // by ratios to the slot's own method, which took 110 where its row says 100.
 TEST(MethodLadder, CostsOfSamplesAreTheTables)
