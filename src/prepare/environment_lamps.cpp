@@ -5,7 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
-#include <queue>
+#include <utility>
 
 namespace torrance {
 namespace {
@@ -41,7 +41,7 @@ double lampThreshold(const std::vector<float>& radiance, int size)
 }
 
 /// Sums of a rectangle are differences of sums over the face: light below this share of the face's is their rounding.
-/// It then belongs to no region, and what directions of the lobe find of it counts whole.
+/// No point stands for it, and it goes back to the rest.
 constexpr double kSumRounding = 1e-10;
 
 /// What is summed over texels.
@@ -183,10 +183,11 @@ std::vector<Region> cutIntoRegions(const std::vector<float>& lamps, int size, in
     return regions;
 }
 
-// The mean radiance of what shines in it, by its light: a region may reach beyond its lamp.
+// The mean radiance of what shines in it, by its light: a region may reach beyond its lamp. At least the mean over the
+// region (Cauchy and Schwarz), which stands where the square is nothing but the rounding of a brighter lamp's.
 double brightnessOf(const Region& region)
 {
-    return region.sums.square / region.sums.light;
+    return std::max(region.sums.square / region.sums.light, region.sums.light / region.sums.solidAngle);
 }
 
 // Light, and light times the logarithm of brightness, of regions that shine.
@@ -257,16 +258,17 @@ EnvironmentLamps splitLamps(const std::vector<float>& radiance, int size, int co
     const double limit = leastOfSmallLamps(regions);
     result.densities = densitiesOf(regions, limit);
     for (const Region& region : regions) {
-        if (!(region.sums.light > 0.0))
-            continue;
-        const bool small = brightnessOf(region) >= limit;
-        if (static_cast<int>(result.points.size()) < count)
+        const bool shines = region.sums.light > 0.0, small = shines && brightnessOf(region) >= limit;
+        if (shines && static_cast<int>(result.points.size()) < count)
             result.points.push_back({glm::normalize(region.sums.towards), region.sums.energy,
                                      small ? result.densities.small : result.densities.wide});
-        for (int y = region.y0; small && y < region.y1; ++y)
+        for (int y = region.y0; y < region.y1; ++y)
             for (int x = region.x0; x < region.x1; ++x) {
-                float* texel = lamps.data() + 4 * cubeTexelIndex(region.face, x, y, size);
-                texel[3] = static_cast<float>(meanOf(texel));
+                const std::size_t i = 4 * cubeTexelIndex(region.face, x, y, size);
+                if (small)
+                    lamps[i + 3] = static_cast<float>(meanOf(&lamps[i]));
+                for (std::size_t c = i; !shines && c < i + 3; ++c)
+                    rest[c] += std::exchange(lamps[c], 0.0f);
             }
     }
     result.points.resize(static_cast<std::size_t>(count));

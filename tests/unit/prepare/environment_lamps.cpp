@@ -4,6 +4,8 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 namespace torrance {
 namespace {
 
@@ -123,6 +125,35 @@ TEST(EnvironmentLamps, LampsOfOneBrightnessAreOneKind)
         [&](std::size_t i, const dvec3&, double omega) { angle += split.lamps.data[0][i] > 0.0f ? omega : 0.0; });
     EXPECT_NEAR(split.densities.small * angle, 1.0, 1e-6);
     EXPECT_NEAR(split.densities.wide * angle, 1.0, 1e-6);
+}
+
+// Sums over regions are differences of sums over faces: beside a sun of nearly all light, those over other lamps are
+// partly rounding, or nothing else.
+template <int kExponent>
+dvec3 sunAmongBulbs(const dvec3& d)
+{
+    if (d.y > 0.99)
+        return dvec3(1e12);
+    const dvec3 bulb = glm::normalize(dvec3(std::copysign(0.5, d.x), 1.0, std::copysign(0.5, d.z)));
+    return glm::dot(d, bulb) > 0.99 ? dvec3(std::pow(10.0, kExponent)) : dvec3(0.0);
+}
+
+TEST(EnvironmentLamps, BesideAFarBrighterOneLampsKeepTheirLight)
+{
+    for (const auto& radiance : {sunAmongBulbs<6>, sunAmongBulbs<3>, sunAmongBulbs<0>}) {
+        const std::vector<float> whole = cubeOf(radiance);
+        const EnvironmentLamps split = splitLamps(whole, kSize, 64);
+        EXPECT_TRUE(std::isfinite(split.densities.wide) && split.densities.wide > 0.0);
+        EXPECT_TRUE(std::isfinite(split.densities.small) && split.densities.small > 0.0);
+        double places = 0.0, points = 0.0; // of bulbs
+        forEachTexel([&](std::size_t i, const dvec3& d, double) {
+            EXPECT_NEAR(split.rest.data[0][i] + split.lamps.data[0][i], whole[i], 1e-6 * whole[i]);
+            places += d.y < 0.99 && split.lamps.data[0][i] > 0.0f ? 1.0 : 0.0;
+        });
+        for (const brdf::LampPoint& point : split.points)
+            points += point.energy.r > 0.0 && point.energy.r < 1e9 ? 1.0 : 0.0;
+        EXPECT_EQ(places > 0.0, points > 0.0) << "what no point stands for is no lamp's";
+    }
 }
 
 // More points lie nearer to what they stand for: the mean distance of lamps' light from its point falls like the root
