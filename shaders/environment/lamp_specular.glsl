@@ -19,7 +19,9 @@ float shareOf(float own, float other)
 }
 
 // n and v unit, in the environment's axes. `lamps` has their radiance and, in alpha, what of its mean is of the small kind.
-SpecularSums lampSums(samplerCube rest, samplerCube lamps, vec3 n, vec3 v, float alpha, float perceptualRoughness, vec2 rotation)
+// `arriving` takes what the points bring.
+SpecularSums lampSums(samplerCube rest, samplerCube lamps, vec3 n, vec3 v, float alpha, float perceptualRoughness, vec2 rotation,
+                      inout LampIrradiance arriving)
 {
     const float directions = float(kEnvironmentSamples), points = float(kLampPoints);
     mat3 axes = axesAround(n);
@@ -53,10 +55,12 @@ SpecularSums lampSums(samplerCube rest, samplerCube lamps, vec3 n, vec3 v, float
         vec3 h = both * inversesqrt(length2);
         float VoH = 0.5 * sqrt(length2);
         float D = ggxOf(h, alpha);
-        float V = SELECTED_visibility(view.z, max(l.z, 0.0), h.z, VoH, alpha, perceptualRoughness);
+        float NoL = max(l.z, 0.0);
+        float V = SELECTED_visibility(view.z, NoL, h.z, VoH, alpha, perceptualRoughness);
         float own = max(points * lamp.coneScale, kLeastDenominator); // black points have none
         float share = shareOf(own, directions * densityOverD * D);
-        addReflected(sums, lamp.intensity * (D * V * max(l.z, 0.0) * share), VoH);
+        addReflected(sums, lamp.intensity * (D * V * NoL * share), VoH);
+        addArriving(arriving, lamp.intensity * (NoL / PI), VoH, NoL);
     }
     return sums;
 }

@@ -39,7 +39,8 @@ vec3 environmentLight(Surface s, float alpha, vec4 albedo, vec3 lit)
     vec3 v = frame.environmentFromWorld * s.view;
     float arriving = s.occlusion * frame.environmentIntensity;
     Surroundings around;
-    around.mirrored = arriving * specularSums(n, v, alpha, s.perceptualRoughness, vec4(1.0, 0.0, 0.0, 1.0)).scale;
+    LampIrradiance lamps; // no source's method has any
+    around.mirrored = arriving * specularSums(n, v, alpha, s.perceptualRoughness, vec4(1.0, 0.0, 0.0, 1.0), lamps).scale;
 #ifdef SPECULAR_MIRROR
     around.refracted = arriving * lightAbout(refractedDirection(n, v), alpha);
 #else
@@ -56,7 +57,8 @@ vec3 environmentLight(Surface s, float alpha, vec4 albedo, vec3 lit)
 vec3 environmentLight(Surface s, float alpha, vec4 albedo)
 {
     vec3 n = frame.environmentFromWorld * s.normal;
-    SpecularSums sums = specularSums(n, frame.environmentFromWorld * s.view, alpha, s.perceptualRoughness, albedo);
+    LampIrradiance lamps;
+    SpecularSums sums = specularSums(n, frame.environmentFromWorld * s.view, alpha, s.perceptualRoughness, albedo, lamps);
     vec3 irradiance = irradianceOverPi(n);
     // What the lobes of glTF's dielectric and metal (shaders/brdf/model/gltf.glsl) reflect once. Their light of many reflections comes from
     // everywhere: it is the irradiance's. The bias of a fit may be negative; a table's is not.
@@ -68,11 +70,15 @@ vec3 environmentLight(Surface s, float alpha, vec4 albedo)
     vec3 metal = SELECTED_multiple_scattering(metalOnce, irradiance, s.baseColor, albedo.y, albedo.w, mean, mean);
     vec3 specular = dielectric * (1.0 - s.metallic) + metal * s.metallic;
 
-    // What the interface lets through: its weight is linear in what depends on the light, so the means over uniform light give the mean
-    // weight. That of Schlick's term at VoH is the table's w, at NoL it is 1/21.
+    // What the interface lets through: its weight is linear in what depends on the light, so the means over the light give the mean
+    // weight. Over uniform light that of Schlick's term at VoH is the table's w, at NoL it is 1/21. Of lamps the points know better.
     vec3 returned = SELECTED_multiple_scattering(max(f0 * albedo.x + albedo.y, 0.0), vec3(1.0), f0, albedo.y, albedo.w, mean, mean);
     float x = 1.0 - clamp(dot(s.normal, s.view), 0.0, 1.0);
-    vec3 weight = SELECTED_diffuse_weight(f0 + (1.0 - f0) * albedo.z, f0 + (1.0 - f0) * (x * x * x * x * x), f0 + (1.0 - f0) / 21.0, returned);
+    vec3 rest = irradiance - lamps.whole;
+    vec3 all = max(irradiance, kLeastDenominator);
+    vec3 atVoH = (rest * albedo.z + lamps.atVoH) / all;
+    vec3 atNoL = (rest * (1.0 / 21.0) + lamps.atNoL) / all;
+    vec3 weight = SELECTED_diffuse_weight(f0 + (1.0 - f0) * atVoH, f0 + (1.0 - f0) * fifthPower(x), f0 + (1.0 - f0) * atNoL, returned);
     vec3 diffuse = irradiance * s.baseColor * ((1.0 - s.metallic) * weight);
     return (specular + diffuse) * (s.occlusion * frame.environmentIntensity);
 }

@@ -45,13 +45,14 @@ vec3 lightAbout(vec3 direction, float alpha)
 }
 #endif
 
-// n and v unit, in the environment's axes; albedo is the lobe's (scale, bias, w, E) under light of radiance 1.
-SpecularSums specularSums(vec3 n, vec3 v, float alpha, float perceptualRoughness, vec4 albedo)
+// n and v unit, in the environment's axes; `lamps` is what arrives of them; albedo is the lobe's (scale, bias, w, E) under light of radiance 1.
+SpecularSums specularSums(vec3 n, vec3 v, float alpha, float perceptualRoughness, vec4 albedo, out LampIrradiance lamps)
 {
+    lamps = LampIrradiance(vec3(0.0), vec3(0.0), vec3(0.0));
 #ifdef SPECULAR_SAMPLER
     vec2 rotation = pixelRotation(uvec2(gl_FragCoord.xy), frame.picture);
 #ifdef SPECULAR_LAMPS
-    return lampSums(environmentRadiance, environmentLamps, n, v, alpha, perceptualRoughness, rotation);
+    return lampSums(environmentRadiance, environmentLamps, n, v, alpha, perceptualRoughness, rotation, lamps);
 #else
     return sampledSums(environmentRadiance, n, v, alpha, perceptualRoughness, rotation);
 #endif

@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 
 namespace torrance {
 namespace {
@@ -40,14 +41,34 @@ dvec3 scattered(const brdf::Preset& methods, const Lobe& lobe, const dvec3& f0, 
     return std::get<brdf::ColorFormula>(methods.multipleScattering->formula)(point);
 }
 
+/// Of (1 - VoH)^5 and (1 - NoL)^5 over what arrives.
+struct SchlickMeans
+{
+    dvec3 atVoH, atNoL;
+};
+
+SchlickMeans schlickMeans(const brdf::EnvironmentQuery& query)
+{
+    const auto arriving = [&](const std::function<double(const dvec3&)>& weight) {
+        brdf::EnvironmentQuery weighted = query;
+        weighted.radiance = [&](const dvec3& l) { return query.radiance(l) * weight(l); };
+        return brdf::Ed_irradiance_cube(weighted);
+    };
+    const dvec3 all = arriving([](const dvec3&) { return 1.0; });
+    const auto fifthPower = [](double x) { return std::pow(std::max(x, 0.0), 5); };
+    return {arriving([&](const dvec3& l) { return fifthPower(1.0 - std::sqrt(0.5 + 0.5 * glm::dot(query.v, l))); }) /
+                all,
+            arriving([&](const dvec3& l) { return fifthPower(1.0 - glm::dot(query.n, l)); }) / all};
+}
+
 /// Share of the irradiance that the interface leaves to the body.
-dvec3 bodyWeight(const brdf::Preset& methods, const Lobe& lobe, double f0, double NoV)
+dvec3 bodyWeight(const brdf::Preset& methods, const Lobe& lobe, double f0, double NoV, const SchlickMeans& means)
 {
     brdf::ShadingPoint point;
-    const auto schlick = [&](double w) { return dvec3(f0 + (1.0 - f0) * w); };
-    point.F = schlick(lobe.diffuseWeight);
-    point.FNoV = schlick(std::pow(1.0 - NoV, 5));
-    point.FNoL = schlick(1.0 / 21.0); // the mean over directions, weighted by the cosine
+    const auto schlick = [&](const dvec3& w) { return f0 + (1.0 - f0) * w; };
+    point.F = schlick(means.atVoH);
+    point.FNoV = schlick(dvec3(std::pow(1.0 - NoV, 5)));
+    point.FNoL = schlick(means.atNoL);
     point.lobeAlbedo = scattered(methods, lobe, dvec3(f0), dvec3(f0 * lobe.scale + lobe.bias), dvec3(1.0));
     return std::get<brdf::ColorFormula>(methods.diffuseWeight->formula)(point);
 }
@@ -78,7 +99,13 @@ EnvironmentParts environmentParts(const Settings& settings, const EnvironmentSam
     const double f0 = reflectanceOfIor(material.ior), m = material.metallic;
     EnvironmentParts parts;
     parts.lobe = material.occlusion * (reflected(dvec3(f0)) * (1.0 - m) + reflected(material.baseColor) * m);
-    parts.body = material.occlusion * (1.0 - m) * irradiance * material.baseColor * bodyWeight(methods, lobe, f0, NoV);
+    // Over even light the means are those of the table, and 1/21. Points know that of lamps, and what is left is
+    // gentle.
+    const SchlickMeans means = brdf::hasLampPoints(*methods.environmentSpecular)
+                                   ? schlickMeans(query)
+                                   : SchlickMeans{dvec3(lobe.diffuseWeight), dvec3(1.0 / 21.0)};
+    parts.body =
+        material.occlusion * (1.0 - m) * irradiance * material.baseColor * bodyWeight(methods, lobe, f0, NoV, means);
     return parts;
 }
 
