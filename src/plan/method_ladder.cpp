@@ -131,10 +131,21 @@ void addRungs(std::vector<Rung>& rungs, const MethodTable& table, const MethodRo
     }
 }
 
+bool readsTable(const Rung& rung)
+{
+    return rung.method->slot == Slot::dfg && brdf::findDfgTable(rung.method->id);
+}
+
 // Beyond doubt: a machine that wanders must not part methods that cost the same. Rungs of one method wander together.
+// What a table takes to be there is in no pixel's time: beside one, what does without is dearer beyond doubt or
+// cheaper.
 bool isCheaper(const Rung& a, const Rung& b)
 {
-    return a.method == b.method ? a.cost < b.cost : a.cost + a.costDoubt < b.cost - b.costDoubt;
+    if (a.method == b.method)
+        return a.cost < b.cost;
+    if (readsTable(b) && !readsTable(a))
+        return a.cost - a.costDoubt < b.cost + b.costDoubt;
+    return a.cost + a.costDoubt < b.cost - b.costDoubt;
 }
 
 // What something else is nearer than and costs no more, as far as is known, is no choice.

@@ -49,7 +49,8 @@ struct RefusedMethod
 struct MethodLadder
 {
     brdf::Slot slot = brdf::Slot::environmentSpecular;
-    /// Ascending in cost and descending in error; the intervals of two methods' costs lie apart.
+    /// Ascending in cost and descending in error; the intervals of two methods' costs lie apart, but where one of them
+    /// does without a table.
     std::vector<Rung> rungs;
     std::size_t at = 0; // the one that is taken
     std::vector<RefusedMethod> refused;

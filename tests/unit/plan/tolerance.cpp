@@ -104,6 +104,20 @@ TEST(MethodLadder, PartsOnlyCostsWhoseIntervalsLieApart)
     EXPECT_EQ(idsWith(-HUGE_VAL, HUGE_VAL), (Ids{"irradiance_cube"})) << "too few frames say nothing";
 }
 
+TEST(MethodLadder, WhatDoesWithoutATableIsCheaperUnlessItIsDearerBeyondDoubt)
+{
+    LadderScene even = kLit;
+    even.even = true;
+    const auto cheapestWith = [&](double ratio) {
+        MethodTable table = usual();
+        table.rows.back().cost->ratio = {ratio, ratio - 0.05, ratio + 0.05}; // narkowicz, beside the table's 1
+        return ladderOf(table, Slot::dfg, *standard()[Slot::dfg], kSurfaces, even)->rungs.front().method->id;
+    };
+    EXPECT_EQ(cheapestWith(0.99), "narkowicz");
+    EXPECT_EQ(cheapestWith(1.04), "narkowicz");
+    EXPECT_EQ(cheapestWith(1.06), "table");
+}
+
 // Directions cost what vndf_bounded takes longer than the cheapest, points what vndf_lamps takes longer than that; all
 // by ratios to the slot's own method, which took 110 where its row says 100.
 TEST(MethodLadder, CostsOfSamplesAreTheTables)
