@@ -81,7 +81,8 @@ vec3 environmentPrefiltered(Surface s)
     vec3 n = frame.environmentFromWorld * s.normal;
     vec3 v = frame.environmentFromWorld * s.view;
     const vec4 whole = vec4(1.0, 0.0, 0.0, 1.0);
-    return frame.environmentIntensity * specularSums(n, v, alphaOf(s), s.perceptualRoughness, whole).scale;
+    LampIrradiance lamps; // the body's
+    return frame.environmentIntensity * specularSums(n, v, alphaOf(s), s.perceptualRoughness, whole, lamps).scale;
 }
 #endif
 #endif
