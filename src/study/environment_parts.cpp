@@ -3,11 +3,13 @@
 #include "brdf/albedo.h"
 #include "brdf/environment.h"
 #include "brdf/lobe_albedo.h"
+#include "math/powers.h"
 #include "scene/phong.h"
 
 #include <algorithm>
 #include <cmath>
 #include <functional>
+#include <limits>
 
 namespace torrance {
 namespace {
@@ -41,7 +43,7 @@ dvec3 scattered(const brdf::Preset& methods, const Lobe& lobe, const dvec3& f0, 
     return std::get<brdf::ColorFormula>(methods.multipleScattering->formula)(point);
 }
 
-/// Of (1 - VoH)^5 and (1 - NoL)^5 over what arrives.
+/// Means of (1 - VoH)^5 and (1 - NoL)^5 over what arrives.
 struct SchlickMeans
 {
     dvec3 atVoH, atNoL;
@@ -54,10 +56,9 @@ SchlickMeans schlickMeans(const brdf::EnvironmentQuery& query)
         weighted.radiance = [&](const dvec3& l) { return query.radiance(l) * weight(l); };
         return brdf::Ed_irradiance_cube(weighted);
     };
-    const dvec3 all = arriving([](const dvec3&) { return 1.0; });
-    const auto fifthPower = [](double x) { return std::pow(std::max(x, 0.0), 5); };
-    return {arriving([&](const dvec3& l) { return fifthPower(1.0 - std::sqrt(0.5 + 0.5 * glm::dot(query.v, l))); }) /
-                all,
+    // Of black light any mean is right.
+    const dvec3 all = glm::max(brdf::Ed_irradiance_cube(query), dvec3(std::numeric_limits<double>::min()));
+    return {arriving([&](const dvec3& l) { return fifthPower(1.0 - 0.5 * glm::length(query.v + l)); }) / all,
             arriving([&](const dvec3& l) { return fifthPower(1.0 - glm::dot(query.n, l)); }) / all};
 }
 
@@ -67,7 +68,7 @@ dvec3 bodyWeight(const brdf::Preset& methods, const Lobe& lobe, double f0, doubl
     brdf::ShadingPoint point;
     const auto schlick = [&](const dvec3& w) { return f0 + (1.0 - f0) * w; };
     point.F = schlick(means.atVoH);
-    point.FNoV = schlick(dvec3(std::pow(1.0 - NoV, 5)));
+    point.FNoV = schlick(dvec3(fifthPower(1.0 - NoV)));
     point.FNoL = schlick(means.atNoL);
     point.lobeAlbedo = scattered(methods, lobe, dvec3(f0), dvec3(f0 * lobe.scale + lobe.bias), dvec3(1.0));
     return std::get<brdf::ColorFormula>(methods.diffuseWeight->formula)(point);
@@ -99,8 +100,8 @@ EnvironmentParts environmentParts(const Settings& settings, const EnvironmentSam
     const double f0 = reflectanceOfIor(material.ior), m = material.metallic;
     EnvironmentParts parts;
     parts.lobe = material.occlusion * (reflected(dvec3(f0)) * (1.0 - m) + reflected(material.baseColor) * m);
-    // Over even light the means are those of the table, and 1/21. Points know that of lamps, and what is left is
-    // gentle.
+    // Over even light the means are those of the table, and that of the cosine's directions. Points know those of
+    // lamps, and what is left is gentle.
     const SchlickMeans means = brdf::hasLampPoints(*methods.environmentSpecular)
                                    ? schlickMeans(query)
                                    : SchlickMeans{dvec3(lobe.diffuseWeight), dvec3(1.0 / 21.0)};
