@@ -10,7 +10,8 @@
 #include <memory>
 #include <optional>
 #include <stop_token>
-#include <string>
+#include <thread>
+#include <utility>
 
 namespace torrance {
 
@@ -35,7 +36,8 @@ private:
     std::stop_source stop;
 };
 
-/// At most one piece of work at a time; its end is announced by `announce`, from its thread.
+/// At most one piece of work at a time. `announceEnd` is called from its thread once the result can be taken, not
+/// before: a window that is woken, finds nothing and sleeps again would sleep on.
 template <typename Result>
 class BackgroundTask
 {
@@ -46,13 +48,12 @@ public:
     void start(Work work)
     {
         progress = std::make_shared<Progress>();
-        future = std::async(std::launch::async, [work = std::move(work), state = progress, end = announce]() mutable {
-            struct AtEnd
-            {
-                void (*call)();
-                ~AtEnd() { call(); }
-            } const atEnd{end};
-            return work(*state);
+        std::packaged_task<Result()> task(
+            [work = std::move(work), state = progress]() mutable { return work(*state); });
+        future = task.get_future();
+        thread = std::jthread([task = std::move(task), end = announce]() mutable {
+            task();
+            end();
         });
     }
 
@@ -89,6 +90,7 @@ private:
     void (*announce)();
     std::shared_ptr<Progress> progress;
     std::future<Result> future;
+    std::jthread thread; // joined before what it fills goes
 };
 
 } // namespace torrance

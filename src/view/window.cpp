@@ -130,6 +130,7 @@ void Window::handleEvents(double seconds)
 
 void Window::wake()
 {
+    woken = true;
     glfwPostEmptyEvent();
 }
 

@@ -6,6 +6,7 @@
 #include "view/key_events.h"
 
 #include <array>
+#include <atomic>
 #include <deque>
 #include <filesystem>
 #include <string>
@@ -38,7 +39,8 @@ public:
     void handleEvents(bool wait);
     /// The same, for at most so many seconds.
     void handleEvents(double seconds);
-    /// Ends a wait of another thread.
+    /// Ends a wait of another thread, and is something that has happened: where that thread did not wait, the event
+    /// alone would be gone with the picture that it is making.
     static void wake();
 
     void setTitle(const std::string& title);
@@ -47,7 +49,11 @@ public:
     std::deque<KeyEvent> keyEvents;
 
     /// Whether something has happened since the last call.
-    bool takeActivity() { return std::exchange(active, false); }
+    bool takeActivity()
+    {
+        const bool wasWoken = woken.exchange(false);
+        return std::exchange(active, false) || wasWoken;
+    }
 
     /// Where the arrow was when a button was pressed last, in the window's coordinates: by the time a picture is made
     /// it may be somewhere else.
@@ -64,6 +70,7 @@ public:
 private:
     static Window& of(GLFWwindow* window); // and something happens in it
     bool active = true;
+    static inline std::atomic<bool> woken = false;
     std::vector<std::filesystem::path> dropped;
 };
 

@@ -35,9 +35,32 @@ TEST(BackgroundTask, HandsItsResultOverOnceAndAnnouncesIt)
         return 42;
     });
     EXPECT_EQ(wait(task), 42);
+    while (announcements == 0)
+        std::this_thread::yield();
     EXPECT_EQ(announcements, 1);
     EXPECT_FALSE(task.isRunning());
     EXPECT_EQ(task.take(), std::nullopt);
+}
+
+// A window that was woken looks once and sleeps again.
+TEST(BackgroundTask, IsEndedWhenItIsAnnounced)
+{
+    static BackgroundTask<int>* announced = nullptr;
+    static std::atomic<int> ended = 0, announcement = 0;
+    BackgroundTask<int> task([] {
+        ended += announced->isEnded();
+        ++announcement;
+    });
+    announced = &task;
+    ended = announcement = 0;
+    task.start([](Progress&) { return 1; });
+    while (announcement < 1)
+        std::this_thread::yield();
+    EXPECT_EQ(ended, 1);
+    task.start([](Progress&) -> int { throw std::runtime_error("broken"); });
+    while (announcement < 2)
+        std::this_thread::yield();
+    EXPECT_EQ(ended, 2) << "of work that failed, too";
 }
 
 TEST(BackgroundTask, StopsAtTheNextPartWhereItIsCancelled)
