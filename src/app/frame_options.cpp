@@ -30,6 +30,11 @@ double bytesPerPixel(const FrameOptions& o, bool layers)
     return 16.0 * (colorTargets + 2.0) + 4.0 + (isReconstructed(o) ? 4.0 * 5.0 : 0.0); // depth of samples, and edges
 }
 
+std::optional<bool> cullingOf(const std::string& name)
+{
+    return name == "auto" ? std::nullopt : std::optional(name == "on");
+}
+
 std::optional<RenderPath> pathOf(const std::string& name)
 {
     if (name == "auto")
@@ -56,6 +61,10 @@ void declareFrameOptions(CLI::App& app, FrameOptions& o)
         app, "--path", o.path, {"auto", "forward", "prepass", "attributes", "deferred"},
         "Shade surfaces as they are drawn, draw depth first, shade each pixel once from what was interpolated, or "
         "from a G-buffer of floats (default auto: what is fastest for the scene)")
+        ->group("Methods");
+    addChoice(app, "--triangle-culling", o.triangleCulling, {"auto", "on", "off"},
+              "Leave out the triangles that show at no pixel's centre before the device draws them: the same picture "
+              "(default auto: where a software device gains by it)")
         ->group("Methods");
     declareMethodOptions(app, o.methods);
     app.add_option(
@@ -96,6 +105,7 @@ Settings frameSettings(const FrameOptions& o, bool layers)
             .backgroundColor = background.color,
             .backgroundBlur = o.backgroundBlur.value_or(0.0),
             .path = pathOf(o.path),
+            .triangleCulling = cullingOf(o.triangleCulling),
             .layers = layers};
 }
 

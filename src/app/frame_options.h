@@ -20,12 +20,13 @@ struct FrameOptions
     std::optional<double> backgroundBlur;
     int samples = 1;
     std::string path = "auto";
+    std::string triangleCulling = "auto";
     MethodOptions methods;
     std::optional<int> environmentSamples;
     std::optional<int> lightSamples;
 };
 
-/// The options of the picture, --background-blur, --samples, --path, those of the methods, --environment-samples and
+/// The options of the picture, --background-blur, --samples, --path, --triangle-culling, those of the methods, --environment-samples and
 /// --light-samples.
 void declareFrameOptions(CLI::App& app, FrameOptions& options);
 

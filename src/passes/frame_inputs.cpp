@@ -72,23 +72,23 @@ gpu::Bindings bindingsOf(const FrameInputs& frame, const FrameSamplers& samplers
 } // namespace
 
 FrameInputs makeFrameInputs(const gpu::Device& device, const DeviceScene& scene, const Camera& camera,
-                            const FrameSamplers& samplers, const dvec2& offset, int picture)
+                            const FrameSamplers& samplers, const dvec2& offset, int picture, TriangleCulling& culling)
 {
     using Usage = vk::BufferUsageFlagBits;
     const dvec3 eye = cameraPosition(camera);
+    const shared::Frame common = frameOf(scene, camera, offset, picture);
     const std::vector<shared::Instance> instances = makeInstances(scene.plan, *scene.meshes, eye);
     const std::size_t shapeInstances = scene.scene.shapes.empty() ? 0 : instances.size();
-    FrameInputs frame = {.scene = scene,
-                         .camera = camera,
-                         .frame = gpu::makeBuffer(device,
-                                                  frameBlock(frameOf(scene, camera, offset, picture),
-                                                             makeLights(scene.plan, scene.environment.lampPoints, eye)),
-                                                  Usage::eUniformBuffer, "frame"),
-                         .instances = gpu::makeBuffer(device, bytesOf(instances), Usage::eVertexBuffer, "instances"),
-                         .shapeInstances =
-                             gpu::makeUniformBlocks(device, shared::kBindInstance,
-                                                    std::span(instances).first(shapeInstances), "shape instances"),
-                         .bindings = {}};
+    FrameInputs frame = {
+        .scene = scene,
+        .camera = camera,
+        .frame = gpu::makeBuffer(device, frameBlock(common, makeLights(scene.plan, scene.environment.lampPoints, eye)),
+                                 Usage::eUniformBuffer, "frame"),
+        .instances = gpu::makeBuffer(device, bytesOf(instances), Usage::eVertexBuffer, "instances"),
+        .shapeInstances = gpu::makeUniformBlocks(device, shared::kBindInstance,
+                                                 std::span(instances).first(shapeInstances), "shape instances"),
+        .bindings = {},
+        .visible = culling.find(scene, camera, common, instances)};
     frame.bindings = bindingsOf(frame, samplers);
     return frame;
 }
@@ -100,12 +100,14 @@ void useFrame(gpu::Commands& commands, const FrameInputs& frame)
     for (const gpu::DeviceImage* image : {e.specular, e.diffuse, e.radiance, e.lamps, e.dfg, e.panorama, e.background})
         if (image)
             images.push_back(gpu::use(*image, gpu::Access::sampled));
-    const std::array buffers = {gpu::use(frame.frame, gpu::Access::shaderRead),
-                                gpu::use(frame.instances, gpu::Access::vertexRead),
-                                gpu::use(frame.shapeInstances.buffer, gpu::Access::shaderRead),
-                                gpu::use(frame.scene.materials.buffer, gpu::Access::shaderRead),
-                                gpu::use(frame.scene.meshes->vertices, gpu::Access::vertexRead),
-                                gpu::use(frame.scene.meshes->indices, gpu::Access::vertexRead)};
+    std::vector<gpu::BufferUse> buffers = {gpu::use(frame.frame, gpu::Access::shaderRead),
+                                           gpu::use(frame.instances, gpu::Access::vertexRead),
+                                           gpu::use(frame.shapeInstances.buffer, gpu::Access::shaderRead),
+                                           gpu::use(frame.scene.materials.buffer, gpu::Access::shaderRead),
+                                           gpu::use(frame.scene.meshes->vertices, gpu::Access::vertexRead),
+                                           gpu::use(frame.scene.meshes->indices, gpu::Access::vertexRead)};
+    if (frame.visible)
+        buffers.push_back(gpu::use(frame.visible->indices, gpu::Access::vertexRead));
     commands.use(images, buffers);
 }
 

@@ -3,6 +3,7 @@
 
 #include "gpu/commands.h"
 #include "passes/device_scene.h"
+#include "passes/triangle_culling.h"
 
 namespace torrance {
 
@@ -12,8 +13,9 @@ struct FrameInputs
     const Camera& camera;
     gpu::Buffer frame;     // and kMaxLights lights behind it, whatever their number: so large is the shaders' block
     gpu::Buffer instances; // shared::Instance by ShadingPlan::instances, a vertex shader's
-    gpu::UniformBlocks shapeInstances; // the same, where there are analytic shapes
-    gpu::Bindings bindings;            // all but those that change from draw to draw
+    gpu::UniformBlocks shapeInstances;         // the same, where there are analytic shapes
+    gpu::Bindings bindings;                    // all but those that change from draw to draw
+    const VisibleTriangles* visible = nullptr; // the culling's; null: all triangles are drawn
 };
 
 /// How the environment's pictures are read.
@@ -24,9 +26,9 @@ struct FrameSamplers
 };
 
 /// For a sample `offset` pixels from the pixels' centres, of the picture of this number among those whose mean is the
-/// result.
+/// result. The culling's triangles are those of this frame until it is asked for another's.
 FrameInputs makeFrameInputs(const gpu::Device& device, const DeviceScene& scene, const Camera& camera,
-                            const FrameSamplers& samplers, const dvec2& offset, int picture);
+                            const FrameSamplers& samplers, const dvec2& offset, int picture, TriangleCulling& culling);
 
 /// Notes the use of everything that a frame's shaders read.
 void useFrame(gpu::Commands& commands, const FrameInputs& frame);

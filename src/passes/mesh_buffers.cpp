@@ -70,6 +70,7 @@ PrimitiveRange append(const Primitive& primitive, ByteStream& vertices, ByteStre
                      vertices.append(primitive.uvs[0]),
                      vertices.append(primitive.uvs[1]),
                      vertices.append(primitive.colors)};
+    range.vertexCount = static_cast<std::uint32_t>(primitive.positions.size());
     range.indexCount = static_cast<std::uint32_t>(primitive.indices.size());
     range.firstIndex = static_cast<std::uint32_t>(indices.append(primitive.indices) / sizeof(std::uint32_t));
     return range;

@@ -27,6 +27,7 @@ struct PrimitiveRange
         {}; // byte offsets; meaningless for an attribute that is not there
     std::uint32_t firstIndex = 0;
     std::uint32_t indexCount = 0;
+    std::uint32_t vertexCount = 0;
     dvec3 center = dvec3(0.0); // taken out of the positions: see kRecentreRatio
 };
 

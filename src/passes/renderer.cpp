@@ -64,7 +64,8 @@ dvec3 forwardOf(const Camera& camera)
 
 Renderer::Renderer(const gpu::Device& d, gpu::ShaderLibrary& s, const std::filesystem::path& cacheFolder)
     : device(d), shaders(s), environments(d, cacheFolder), tableSampler(makeTableSampler(d)),
-      pointSampler(makePointSampler(d)), panoramaSampler(makePanoramaSampler(d)), surfacePipelines(d, s), targetFill(d)
+      pointSampler(makePointSampler(d)), panoramaSampler(makePanoramaSampler(d)), surfacePipelines(d, s), targetFill(d),
+      culling(d)
 {
 }
 
@@ -151,8 +152,8 @@ void Renderer::drawBackground(gpu::Commands& commands, const FrameInputs& frame)
 
 FrameInputs Renderer::inputsOf(const DeviceScene& scene, const Camera& camera, const dvec2& offset, int picture)
 {
-    return makeFrameInputs(device, scene, camera, {.table = tableSampler, .panorama = panoramaSampler}, offset,
-                           picture);
+    return makeFrameInputs(device, scene, camera, {.table = tableSampler, .panorama = panoramaSampler}, offset, picture,
+                           culling);
 }
 
 void Renderer::prepareTargets(const ShadingPlan& plan)

@@ -10,6 +10,7 @@
 #include "passes/frame_inputs.h"
 #include "passes/surface_pass.h"
 #include "passes/target_fill.h"
+#include "passes/triangle_culling.h"
 #include "plan/shading_plan.h"
 
 #include <filesystem>
@@ -140,6 +141,7 @@ private:
     std::map<std::string, gpu::Pipeline> imagePipelines;
     Targets targets;
     TargetFill targetFill;
+    TriangleCulling culling;
 };
 
 } // namespace torrance

@@ -179,11 +179,27 @@ void bindStreams(gpu::Commands& commands, const ShaderKey& key, SurfaceOutput ou
     commands.buffer.bindVertexBuffers(0, buffers, offsets);
 }
 
+void drawTriangles(gpu::Commands& commands, SurfaceOutput output, const Draw& draw, const FrameInputs& frame,
+                   const PrimitiveRange& range)
+{
+    constexpr vk::IndexType kType = vk::IndexType::eUint32;
+    // What shows at no pixel's centre may show at another sample of it.
+    const bool centres = output != SurfaceOutput::sampleDepth;
+    const std::vector<VisibleTriangles::Range>* visible = frame.visible && centres ? frame.visible->of(draw) : nullptr;
+    if (!visible) {
+        commands.buffer.bindIndexBuffer(*frame.scene.meshes->indices.handle, 0, kType);
+        commands.buffer.drawIndexed(range.indexCount, static_cast<std::uint32_t>(draw.instanceCount), range.firstIndex,
+                                    0, static_cast<std::uint32_t>(draw.firstInstance));
+        return;
+    }
+    commands.buffer.bindIndexBuffer(*frame.visible->indices.handle, 0, kType);
+    for (const VisibleTriangles::Range& part : *visible)
+        commands.buffer.drawIndexed(part.indexCount, 1, part.firstIndex, 0, part.instance);
+}
+
 void drawOnce(gpu::Commands& commands, const Batch& batch, SurfaceOutput output, const Draw& draw,
               const FrameInputs& frame, vk::CullModeFlags cull)
 {
-    const auto first = static_cast<std::uint32_t>(draw.firstInstance),
-               count = static_cast<std::uint32_t>(draw.instanceCount);
     if (isShape(batch.key.surface)) {
         commands.buffer.setCullMode(vk::CullModeFlagBits::eNone); // the shader tells the sides apart
         commands.buffer.draw(3, 1, 0, 0);
@@ -193,14 +209,14 @@ void drawOnce(gpu::Commands& commands, const Batch& batch, SurfaceOutput output,
     commands.buffer.setCullMode(cull);
     commands.buffer.setFrontFace(draw.mirrored ? vk::FrontFace::eClockwise : vk::FrontFace::eCounterClockwise);
     bindStreams(commands, batch.key, output, frame, draw, range);
-    commands.buffer.drawIndexed(range.indexCount, count, range.firstIndex, 0, first);
+    drawTriangles(commands, output, draw, frame, range);
 }
 
 void drawSides(gpu::Commands& commands, const Batch& batch, SurfaceOutput output, const Draw& draw,
                const FrameInputs& frame, const PixelBox& seen)
 {
     using Cull = vk::CullModeFlagBits;
-    if (!batch.key.doubleSided || (draw.starBody && !seen.nearCut))
+    if (hidesBacks(batch, draw, seen))
         drawOnce(commands, batch, output, draw, frame, Cull::eBack);
     else if (batch.key.alphaMode != AlphaMode::blend)
         drawOnce(commands, batch, output, draw, frame, Cull::eNone);
@@ -295,7 +311,6 @@ void drawBatch(gpu::Commands& commands, const gpu::Pipeline& pipeline, const Bat
         bindings.set(shared::kBindLevel, frame.scene.textures->image(texture), frame.scene.textures->sampler(texture));
     }
     commands.buffer.bindPipeline(vk::PipelineBindPoint::eGraphics, *pipeline.handle);
-    commands.buffer.bindIndexBuffer(*frame.scene.meshes->indices.handle, 0, vk::IndexType::eUint32);
     int bound = -1; // the block of a material
     const Settings& settings = frame.scene.plan.settings;
     for (const Draw& draw : batch.draws) {

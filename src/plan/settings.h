@@ -38,6 +38,8 @@ struct Settings
     double backgroundBlur = 0.0; // of BackgroundKind::environment: the perceptual roughness (0 to 1) of the GGX kernel
                                  // of N = V = R that it is seen through
     std::optional<RenderPath> path = {}; // none: the plan chooses
+    /// Of triangles that show at no pixel's centre, on the processor: the same picture. None: where it pays.
+    std::optional<bool> triangleCulling = {};
     const View* view = nullptr;          // a term instead of the colour; null: the colour
     int viewLight = 0;                   // of ShadingPlan::lights
     bool layers = false;                 // surface parameters as pictures of their own

@@ -5,6 +5,7 @@
 #include "core/error.h"
 #include "plan/attribute_plan.h"
 #include "plan/compensation.h"
+#include "plan/culling_plan.h"
 #include "plan/deferred_plan.h"
 #include "plan/light_plan.h"
 #include "plan/path_plan.h"
@@ -34,6 +35,7 @@ public:
         planLighting();
         checkPixelSampling(plan);
         choosePath(scene, plan);
+        planCulling(scene, plan);
         if (plan.path == RenderPath::deferred)
             planDeferred(plan);
         if (plan.path == RenderPath::attributes)

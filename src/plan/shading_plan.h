@@ -28,6 +28,7 @@ struct Draw
     int block = 0;         // ShadingPlan::blocks
     int uvSet = 0;         // of a key whose textures are read at one place: the coordinates that place is made from
     bool starBody = false; // its back is never seen from outside of it
+    bool culls = false;    // on the processor, before it is drawn: culling_plan.h
     Box bounds;            // of all instances, world
 };
 

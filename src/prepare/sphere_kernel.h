@@ -3,7 +3,7 @@
 
 #include "math/cube.h"
 #include "prepare/cube_tree.h"
-#include "prepare/lanes.h"
+#include "math/lanes.h"
 
 #include <algorithm>
 #include <array>

@@ -66,6 +66,8 @@ void addMethods(const Settings& settings, std::vector<std::string>& arguments)
         arguments.push_back(fmt::format("--light-samples={}", settings.lightSamples));
     if (settings.path)
         arguments.push_back(std::string("--path=") + nameOf(*settings.path));
+    if (settings.triangleCulling)
+        arguments.push_back(std::string("--triangle-culling=") + (*settings.triangleCulling ? "on" : "off"));
     if (settings.view)
         arguments.push_back("--view=" + std::string(settings.view->id));
 }

@@ -45,6 +45,7 @@ TEST(RenderCommand, SaysEverythingThatWasChanged)
     state.settings.methods = *brdf::findPreset("gltf");
     state.settings.methods.distribution = brdf::findMethod(brdf::Slot::distribution, "beckmann");
     state.settings.path = RenderPath::prepass;
+    state.settings.triangleCulling = false;
     state.settings.background = BackgroundKind::transparent;
     state.fileSamples = 4;
     state.write.exposure = -0.5;
@@ -61,6 +62,7 @@ TEST(RenderCommand, SaysEverythingThatWasChanged)
                                                "--preset=gltf",
                                                "--distribution=beckmann",
                                                "--path=prepass",
+                                               "--triangle-culling=off",
                                                "--resolution=640x360",
                                                "--samples=4",
                                                "--no-background",
