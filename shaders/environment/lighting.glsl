@@ -74,10 +74,13 @@ vec3 environmentLight(Surface s, float alpha, vec4 albedo)
     // weight. Over uniform light that of Schlick's term at VoH is the table's w, at NoL it is 1/21. Of lamps the points know better.
     vec3 returned = SELECTED_multiple_scattering(max(f0 * albedo.x + albedo.y, 0.0), vec3(1.0), f0, albedo.y, albedo.w, mean, mean);
     float x = 1.0 - clamp(dot(s.normal, s.view), 0.0, 1.0);
+    vec3 atVoH = vec3(albedo.z), atNoL = vec3(1.0 / 21.0);
+#ifdef SPECULAR_LAMPS
     vec3 rest = irradiance - lamps.whole;
     vec3 all = max(irradiance, kLeastDenominator);
-    vec3 atVoH = (rest * albedo.z + lamps.atVoH) / all;
-    vec3 atNoL = (rest * (1.0 / 21.0) + lamps.atNoL) / all;
+    atVoH = (rest * atVoH + lamps.atVoH) / all;
+    atNoL = (rest * atNoL + lamps.atNoL) / all;
+#endif
     vec3 weight = SELECTED_diffuse_weight(f0 + (1.0 - f0) * atVoH, f0 + (1.0 - f0) * fifthPower(x), f0 + (1.0 - f0) * atNoL, returned);
     vec3 diffuse = irradiance * s.baseColor * ((1.0 - s.metallic) * weight);
     return (specular + diffuse) * (s.occlusion * frame.environmentIntensity);

@@ -135,7 +135,7 @@ struct Drawn
 };
 
 Drawn drawOnce(Session& session, const std::string& input, LoadedScene& loaded, const Camera& camera,
-               const Settings& settings)
+               const Settings& settings, std::span<const PixelBox> only = {})
 {
     Drawn drawn;
     drawn.settings = settings;
@@ -153,7 +153,8 @@ Drawn drawOnce(Session& session, const std::string& input, LoadedScene& loaded, 
     });
     ProgressLine progress(input);
     drawn.picture = session.phases.time("draw", [&] {
-        return session.renderer.render(deviceScene, camera, [&](int done, int all) { progress.show(done, all); });
+        return session.renderer.render(
+            deviceScene, camera, [&](int done, int all) { progress.show(done, all); }, only);
     });
     progress.clear();
     return drawn;
@@ -178,10 +179,11 @@ Drawn drawWithinTolerance(Session& session, const std::string& input, LoadedScen
                                 .tolerance = *session.tolerance,
                                 .fixed = slotsAskedFor(session.options.frame),
                                 .request = *session.certify};
-    ToleranceResult result = drawWithin(task, [&](const Settings& settings) -> const Image& {
-        drawn = drawOnce(session, input, loaded, camera, settings);
-        return drawn.picture.color;
-    });
+    ToleranceResult result =
+        drawWithin(task, [&](const Settings& settings, std::span<const PixelBox> only) -> const Image& {
+            drawn = drawOnce(session, input, loaded, camera, settings, only);
+            return drawn.picture.color;
+        });
     drawn.certified.emplace().certificate = result.certificate;
     drawn.tolerance = std::move(result);
     return drawn;

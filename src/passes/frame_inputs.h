@@ -16,6 +16,7 @@ struct FrameInputs
     gpu::UniformBlocks shapeInstances;         // the same, where there are analytic shapes
     gpu::Bindings bindings;                    // all but those that change from draw to draw
     const VisibleTriangles* visible = nullptr; // the culling's; null: all triangles are drawn
+    std::span<const PixelBox> only = {};       // surfaces are drawn in these boxes alone; none: everywhere
 };
 
 /// How the environment's pictures are read.

@@ -42,6 +42,26 @@ vk::Rect2D rectangleOf(const PixelBox& box)
     return {{box.first.x, box.first.y}, {static_cast<std::uint32_t>(size.x), static_cast<std::uint32_t>(size.y)}};
 }
 
+// In a rendering whose depth was cleared: everywhere but in a frame's boxes it is as near as can be, and hides what is
+// drawn.
+void hideOthers(gpu::Commands& commands, const FrameInputs& frame)
+{
+    if (frame.only.empty())
+        return;
+    const Settings& settings = frame.scene.plan.settings;
+    const auto clear = [&](float depth, std::span<const PixelBox> boxes) {
+        std::vector<vk::ClearRect> rectangles;
+        for (const PixelBox& box : boxes)
+            rectangles.push_back({.rect = rectangleOf(box), .baseArrayLayer = 0, .layerCount = 1});
+        const vk::ClearAttachment attachment = {.aspectMask = vk::ImageAspectFlagBits::eDepth,
+                                                .clearValue = vk::ClearDepthStencilValue{depth, 0}};
+        commands.buffer.clearAttachments(attachment, rectangles);
+    };
+    const PixelBox whole = {.beyond = {settings.width, settings.height}};
+    clear(1.0f, std::span(&whole, 1));
+    clear(0.0f, frame.only);
+}
+
 // Pixels that no surface covers are never shaded; but lavapipe shades them in the lanes beside a silhouette's, and what
 // lay there was seen to change the last bit of its neighbours: the same inputs give the same bytes only when it is
 // always the same.
@@ -198,6 +218,7 @@ void Renderer::drawOne(gpu::Commands& commands, const FrameInputs& frame, const 
 void Renderer::drawDepth(gpu::Commands& commands, const FrameInputs& frame)
 {
     beginRendering(commands, {}, &*targets.depth, {}, LoadTarget::clear);
+    hideOthers(commands, frame);
     drawBatches(commands, frame, SurfaceOutput::depth);
     commands.buffer.endRendering();
 }
@@ -208,6 +229,7 @@ void Renderer::drawGBuffer(gpu::Commands& commands, const FrameInputs& frame)
     for (const gpu::DeviceImage& target : targets.gbuffer)
         pointers.push_back(&target);
     begin(commands, pointers, &*targets.depth, kClearToNothing, LoadTarget::clear);
+    hideOthers(commands, frame);
     drawBatches(commands, frame, SurfaceOutput::gbuffer);
     commands.buffer.endRendering();
 }
@@ -229,6 +251,7 @@ void Renderer::drawAttributes(gpu::Commands& commands, const FrameInputs& frame)
     for (std::size_t i = 0; i < attributePictures(frame.scene.plan); ++i) // there may be more, of another plan
         pointers.push_back(&targets.attributes->pictures[i]);
     begin(commands, pointers, &targets.attributes->depth, kClearAttributes, LoadTarget::clear);
+    hideOthers(commands, frame);
     for (const Batch& batch : frame.scene.plan.batches) {
         if (batch.shadingClass < 0)
             continue;
@@ -290,6 +313,8 @@ void Renderer::drawSurfaces(gpu::Commands& commands, const FrameInputs& frame)
     const std::array colors = {&targets.color};
     begin(commands, colors, &*targets.depth, backgroundClear(plan),
           path == RenderPath::forward ? LoadTarget::clear : LoadTarget::keep);
+    if (path == RenderPath::forward)
+        hideOthers(commands, frame);
     switch (path) {
     case RenderPath::forward:
         drawBatches(commands, frame, SurfaceOutput::color);
@@ -359,11 +384,12 @@ void Renderer::run(const std::vector<Pass>& passes, const FrameInputs& frame, co
 }
 
 void Renderer::drawColor(const DeviceScene& scene, const Camera& camera, const dvec2& offset, int picture,
-                         const PassObserver& observer)
+                         const PassObserver& observer, std::span<const PixelBox> only)
 {
     const RenderPath path = scene.plan.path;
     prepareTargets(scene.plan);
-    const FrameInputs frame = inputsOf(scene, camera, offset, picture);
+    FrameInputs frame = inputsOf(scene, camera, offset, picture);
+    frame.only = only;
     std::vector<Pass> passes;
     if (path == RenderPath::prepass)
         passes.push_back({"depth", [&](gpu::Commands& commands) { drawDepth(commands, frame); }});
@@ -385,7 +411,7 @@ void Renderer::drawColor(const DeviceScene& scene, const Camera& camera, const d
 
 void Renderer::drawFrame(const DeviceScene& scene, const Camera& camera, const PassObserver& observer)
 {
-    gpu::guarded(device, [&] { drawColor(scene, camera, dvec2(0.0), 0, observer); });
+    gpu::guarded(device, [&] { drawColor(scene, camera, dvec2(0.0), 0, observer, {}); });
 }
 
 Renderer::Pipelines Renderer::exchangePipelines(Pipelines others)
@@ -442,7 +468,8 @@ std::vector<Layer> Renderer::drawLayers(const DeviceScene& scene, const Camera& 
     return splitLayers(images, cameraPosition(camera));
 }
 
-Picture Renderer::render(const DeviceScene& scene, const Camera& camera, const std::function<void(int, int)>& progress)
+Picture Renderer::render(const DeviceScene& scene, const Camera& camera, const std::function<void(int, int)>& progress,
+                         std::span<const PixelBox> only)
 {
     return gpu::guarded(device, [&] {
         const Settings& settings = scene.plan.settings;
@@ -452,7 +479,7 @@ Picture Renderer::render(const DeviceScene& scene, const Camera& camera, const s
         if (count > 1)
             sum = makeColorTarget(device, settings.width, settings.height, "sum of samples");
         for (int i = 0; i < count; ++i) {
-            drawColor(scene, camera, offsets[static_cast<std::size_t>(i)], i, {});
+            drawColor(scene, camera, offsets[static_cast<std::size_t>(i)], i, {}, only);
             if (sum)
                 accumulate(*sum, i, count);
             if (progress)

@@ -63,8 +63,11 @@ public:
     /// run beside everything else.
     void prepareEnvironment(const Scene& scene, const ShadingPlan& plan);
 
-    /// `progress` is called with (done, all) samples after each. Throws Error (deviceFailure, usage).
-    Picture render(const DeviceScene& scene, const Camera& camera, const std::function<void(int, int)>& progress = {});
+    /// `progress` is called with (done, all) samples after each. With `only`, boxes within the picture, surfaces are
+    /// drawn there alone, and what the colour is elsewhere is not said: boxes of whole blocks (pixel_box.h) hold what
+    /// the whole picture holds there. Throws Error (deviceFailure, usage).
+    Picture render(const DeviceScene& scene, const Camera& camera, const std::function<void(int, int)>& progress = {},
+                   std::span<const PixelBox> only = {});
 
     /// The picture of one sample at the pixels' centres, or of one shading a pixel, left on the device: what a frame of
     /// a window costs. With an observer each pass is submitted apart, else all at once. Throws as render().
@@ -107,7 +110,7 @@ private:
     void prepareTargets(const ShadingPlan& plan);
     FrameInputs inputsOf(const DeviceScene& scene, const Camera& camera, const dvec2& offset, int picture);
     void drawColor(const DeviceScene& scene, const Camera& camera, const dvec2& offset, int picture,
-                   const PassObserver& observer);
+                   const PassObserver& observer, std::span<const PixelBox> only);
     void run(const std::vector<Pass>& passes, const FrameInputs& frame, const PassObserver& observer);
     // beginRendering, with colours filled as the device does it best.
     void begin(gpu::Commands& commands, std::span<const gpu::DeviceImage* const> colors, const gpu::DeviceImage* depth,

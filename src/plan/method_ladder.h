@@ -70,7 +70,7 @@ struct LadderScene
 
 /// Directions that a method which draws samples is tried with. Its table's row is of kTableSamples: cost grows with
 /// their number, and error falls with its root, as that of independent samples would; even points do better.
-inline constexpr std::array kLadderSamples = {4, 16, 64, 256, 1024, 4096};
+inline constexpr std::array kLadderSamples = {4, 8, 16, 32, 64, 128, 256, 512, 1024, 2048, 4096};
 inline constexpr int kTableSamples = 64;
 
 /// The error that a row says of these surfaces: by cell of its grid, weighed by the slot's share of the light. The

@@ -4,6 +4,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <set>
+#include <utility>
 
 namespace torrance {
 namespace {
@@ -54,6 +56,19 @@ PixelBox pixelBoxOf(const Camera& camera, int width, int height, const Box& box)
                       clampedToInt(std::floor(least.y - kMargin), height)},
             .beyond = {clampedToInt(std::ceil(greatest.x + kMargin), width),
                        clampedToInt(std::ceil(greatest.y + kMargin), height)}};
+}
+
+std::vector<PixelBox> blocksAround(std::span<const ivec2> pixels, int width, int height)
+{
+    std::set<std::pair<int, int>> blocks; // row and column
+    for (const ivec2& pixel : pixels)
+        blocks.emplace(pixel.y / kShadedBlock, pixel.x / kShadedBlock);
+    std::vector<PixelBox> boxes;
+    for (const auto& [row, column] : blocks) {
+        const ivec2 first(column * kShadedBlock, row * kShadedBlock);
+        boxes.push_back({first, glm::min(first + kShadedBlock, ivec2(width, height))});
+    }
+    return boxes;
 }
 
 } // namespace torrance

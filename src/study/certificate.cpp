@@ -132,11 +132,12 @@ std::vector<Replicates> integrated(const PixelEstimator& estimator, const std::v
 /// The sample and the forced pixels of this picture, which have the plain number of directions: no mean is of them.
 Looked lookAt(const PixelEstimator& estimator, const std::vector<CoveredPixel>& covered, const Image& drawn,
               const CertificateRequest& request, int directions, const std::vector<PixelStratum>& strata,
-              const std::vector<Replicates>& truths)
+              const std::vector<Replicates>& truths, CertificateParts parts)
 {
     Looked looked;
     looked.strata = strata;
-    looked.forced = forcedPixels(estimator.rays().scene(), covered, drawn, request.seed);
+    if (parts != CertificateParts::sample)
+        looked.forced = forcedPixels(estimator.rays().scene(), covered, drawn, request.seed);
     looked.pixels = pixelsOf(looked.strata);
     looked.sampled = looked.pixels.size();
     for (const ForcedPixel& forced : looked.forced)
@@ -296,12 +297,17 @@ Certifier::Certifier(const Scene& s, const Camera& c, const Settings& settings, 
 {
 }
 
-std::vector<SeenSurface> Certifier::surfaces() const
+std::vector<CoveredPixel> Certifier::sampled() const
 {
     std::vector<CoveredPixel> pixels;
     for (const std::size_t i : sample)
         pixels.push_back(covered[i]);
-    return surveySurfaces(estimator, asked.methods, pixels);
+    return pixels;
+}
+
+std::vector<SeenSurface> Certifier::surfaces() const
+{
+    return surveySurfaces(estimator, asked.methods, sampled());
 }
 
 Certificate Certifier::judge(const Settings& settings, const Image& drawn, CertificateParts parts) const
@@ -312,7 +318,7 @@ Certificate Certifier::judge(const Settings& settings, const Image& drawn, Certi
     certificate.nonFinite = nonFinitePixels(drawn);
     if (covered.empty())
         return certificate;
-    const Looked looked = lookAt(estimator, covered, drawn, request, exact.directions, strata, truths);
+    const Looked looked = lookAt(estimator, covered, drawn, request, exact.directions, strata, truths, parts);
     certificate.compared = looked.sampled;
     certificate.forced = looked.forced.size();
     certificate.meanNorm = meanNormOf(looked.strata, looked.sampleErrors());

@@ -72,7 +72,7 @@ struct Certificate
     CertificateRequest request;
     std::size_t covered = 0;   // pixels whose centre sees a surface
     std::size_t compared = 0;  // of them, drawn at random
-    std::size_t forced = 0;    // and looked at beside them
+    std::size_t forced = 0;    // and looked at beside them; none of CertificateParts::sample
     std::size_t nonFinite = 0; // pixels with a NaN or Inf, in the whole picture
     double meanNorm = 0.0;     // |c|_1
     double noise = 0.0; // half the 95 % interval of the truths' |c|_1, mean over mean |c|_1: what one pixel is known to
@@ -91,6 +91,7 @@ struct Certificate
 
 enum class CertificateParts
 {
+    sample,  // shading, by the pixels drawn at random alone: the picture may be nothing elsewhere
     shading, // alone, whatever the request
     all,     // that the request asks for
 };
@@ -110,8 +111,8 @@ public:
     /// As certify, of a picture drawn with these settings.
     Certificate judge(const Settings& settings, const Image& drawn, CertificateParts parts) const;
 
-    /// All that see a surface.
-    std::span<const CoveredPixel> pixels() const { return covered; }
+    /// Those that are drawn at random of all that see a surface.
+    std::vector<CoveredPixel> sampled() const;
 
     /// What the pixels that are drawn at random see (surface_survey.h). Empty where nothing is covered.
     std::vector<SeenSurface> surfaces() const;

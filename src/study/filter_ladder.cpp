@@ -23,10 +23,10 @@ bool readsTwoLevels(const Scene& scene, const Settings& settings)
                                [](const PlannedTexture& texture) { return texture.sampler.mip == MipFilter::linear; });
 }
 
-double relativeDifference(const Image& drawn, const Image& exact, std::span<const CoveredPixel> covered)
+double relativeDifference(const Image& drawn, const Image& exact, std::span<const CoveredPixel> pixels)
 {
     double difference = 0.0, norm = 0.0;
-    for (const CoveredPixel& pixel : covered) {
+    for (const CoveredPixel& pixel : pixels) {
         difference += distance1(drawn.at(pixel.x, pixel.y), exact.at(pixel.x, pixel.y), 3);
         norm += norm1(exact.at(pixel.x, pixel.y), 3);
     }
@@ -36,7 +36,7 @@ double relativeDifference(const Image& drawn, const Image& exact, std::span<cons
 } // namespace
 
 std::optional<MethodLadder> filterLadder(const Scene& scene, const Settings& settings,
-                                         std::span<const CoveredPixel> covered,
+                                         std::span<const CoveredPixel> pixels,
                                          const std::function<const Image&(const Settings&)>& draw)
 {
     Settings own = settings;
@@ -49,7 +49,7 @@ std::optional<MethodLadder> filterLadder(const Scene& scene, const Settings& set
     ladder.slot = Slot::textureFilter;
     for (const std::string_view id : kFilters) {
         filter = brdf::findMethod(Slot::textureFilter, id);
-        const double error = id == kFilters.back() ? 0.0 : relativeDifference(draw(own), exact, covered);
+        const double error = id == kFilters.back() ? 0.0 : relativeDifference(draw(own), exact, pixels);
         if (ladder.rungs.empty() || error < ladder.rungs.back().error)
             ladder.rungs.push_back({filter, 0, std::numeric_limits<double>::quiet_NaN(), error});
         else

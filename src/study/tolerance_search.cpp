@@ -32,6 +32,14 @@ bool isOpen(const Tolerance& tolerance, const Certificate& certificate, double s
     return certificate.covered > certificate.compared && within && !isWithin(tolerance, error);
 }
 
+std::vector<PixelBox> blocksOf(const std::vector<CoveredPixel>& pixels, const Settings& settings)
+{
+    std::vector<ivec2> places;
+    for (const CoveredPixel& pixel : pixels)
+        places.emplace_back(pixel.x, pixel.y);
+    return blocksAround(places, settings.width, settings.height);
+}
+
 std::string obstacleOf(const ToleranceResult& result)
 {
     const Tolerance& tolerance = result.plan.tolerance;
@@ -57,47 +65,58 @@ bool isWithin(const Tolerance& tolerance, const ErrorNumbers& error)
            (!tolerance.percentile99 || error.percentile99.high <= *tolerance.percentile99);
 }
 
-ToleranceResult drawWithin(const ToleranceTask& task, const std::function<const Image&(const Settings&)>& draw)
+ToleranceResult drawWithin(const ToleranceTask& task, const DrawPicture& draw)
 {
     CertificateRequest request = task.request;
     if (!request.noise)
         request.noise = std::clamp(kToleranceNoise * task.tolerance.mean, kLeastNoise, kMostNoise);
     std::optional<Certifier> certifier;
     certifier.emplace(task.scene, task.camera, task.asked, request, task.checkpoint);
+    const auto drawSample = [&](const Settings& settings) -> const Image& {
+        return draw(settings, blocksOf(certifier->sampled(), settings));
+    };
     ToleranceResult result;
     const LadderScene facts = factsOf(task.scene, task.asked);
     result.plan =
         planTolerance(task.table, task.tolerance, task.asked.methods, task.fixed, certifier->surfaces(), facts);
     if (std::ranges::find(task.fixed, brdf::Slot::textureFilter) == task.fixed.end())
-        if (auto filters = filterLadder(task.scene, settingsOf(result.plan, task.asked), certifier->pixels(), draw))
+        if (auto filters =
+                filterLadder(task.scene, settingsOf(result.plan, task.asked), certifier->sampled(), drawSample))
             addLadder(result.plan, std::move(*filters), facts);
     for (int step = 0;; ++step) {
         result.settings = settingsOf(result.plan, task.asked);
-        const Image& drawn = draw(result.settings);
-        result.certificate = certifier->judge(result.settings, drawn, CertificateParts::shading);
+        const auto look = [&] {
+            return certifier->judge(result.settings, drawSample(result.settings), CertificateParts::sample);
+        };
+        // Of what these methods draw, whether there are others to go on with.
+        const auto goOn = [&](const Certificate& certificate) {
+            return step < kMostSteps && (step + 1 == kMostSteps ? goNearest(result.plan)
+                                                                : stepUp(result.plan, certificate.shading.mean.value,
+                                                                         certificate.worst->cause.slot));
+        };
+        Certificate seen = look();
         const double share = step == kMostSteps || isNearest(result.plan) ? 1.0 : kAim; // a dearer method may do better
-        while (isOpen(task.tolerance, result.certificate, share) &&
-               request.pixels * kMorePixels <= kMostToleranceCertified) {
+        while (isOpen(task.tolerance, seen, share) && request.pixels * kMorePixels <= kMostToleranceCertified) {
             request.pixels *= kMorePixels;
             certifier.emplace(task.scene, task.camera, task.asked, request, task.checkpoint);
-            result.certificate = certifier->judge(result.settings, drawn, CertificateParts::shading);
+            seen = look();
         }
+        if (seen.covered > 0) {
+            ToleranceTrial trial = {{}, seen.shading.mean, seen.shading.percentile99};
+            for (const MethodLadder& ladder : result.plan.ladders)
+                trial.rungs.push_back(ladder.taken());
+            result.trials.push_back(std::move(trial));
+            if (!isWithin(task.tolerance, seen.shading) && goOn(seen))
+                continue;
+        }
+        result.certificate = certifier->judge(result.settings, draw(result.settings, {}), CertificateParts::all);
         if (result.certificate.covered == 0)
             return result;
-        const ErrorNumbers& error = result.certificate.shading;
-        ToleranceTrial trial = {{}, error.mean, error.percentile99};
-        for (const MethodLadder& ladder : result.plan.ladders)
-            trial.rungs.push_back(ladder.taken());
-        result.trials.push_back(std::move(trial));
-        result.holds = isWithin(task.tolerance, error) && result.certificate.nonFinite == 0;
-        if (!result.holds && step < kMostSteps &&
-            (step + 1 == kMostSteps ? goNearest(result.plan)
-                                    : stepUp(result.plan, error.mean.value, result.certificate.worst->cause.slot)))
+        result.holds = isWithin(task.tolerance, result.certificate.shading) && result.certificate.nonFinite == 0;
+        if (!result.holds && goOn(result.certificate)) // what the sample does not see
             continue;
         if (!result.holds)
             result.obstacle = obstacleOf(result);
-        if (request.sampling || request.transport)
-            result.certificate = certifier->judge(result.settings, drawn, CertificateParts::all);
         return result;
     }
 }

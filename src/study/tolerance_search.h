@@ -2,6 +2,7 @@
 #pragma once
 
 #include "plan/tolerance_plan.h"
+#include "scene/pixel_box.h"
 #include "study/certificate.h"
 
 #include <functional>
@@ -51,9 +52,13 @@ struct ToleranceTask
     Checkpoint checkpoint = {};
 };
 
-/// `draw` gives what the device writes with these settings. Where nothing is covered, the certificate's `covered` is 0
-/// and nothing holds. Throws as requireCertifiable, and what `draw` throws.
-ToleranceResult drawWithin(const ToleranceTask& task, const std::function<const Image&(const Settings&)>& draw);
+/// What the device writes with these settings: everywhere, or, with `only`, at least in these boxes, as in the whole
+/// picture. Valid until the next call.
+using DrawPicture = std::function<const Image&(const Settings&, std::span<const PixelBox> only)>;
+
+/// Methods are tried where the certificate looks; what is found is drawn whole, last. Where nothing is covered, the
+/// certificate's `covered` is 0 and nothing holds. Throws as requireCertifiable, and what `draw` throws.
+ToleranceResult drawWithin(const ToleranceTask& task, const DrawPicture& draw);
 
 /// What was chosen and why, what was tried and how far off it was, a line each: for people.
 std::vector<std::string> toleranceLines(const ToleranceResult& result);

@@ -22,12 +22,16 @@ PlanVariant toleranceVariant(const TrialDevice& on, const Scene& scene, const Ca
                                 .checkpoint = checkpoint};
     Renderer renderer(on.device, on.shaders, on.cacheFolder);
     Image drawn;
-    const ToleranceResult result = drawWithin(task, [&](const Settings& settings) -> const Image& {
-        const ShadingPlan plan = makePlan(scene, settings);
-        const DeviceScene uploaded = renderer.upload(scene, plan);
-        drawn = renderer.render(uploaded, camera, [&](int, int) { checkpoint(); }).color;
-        return drawn;
-    });
+    const ToleranceResult result =
+        drawWithin(task, [&](const Settings& settings, std::span<const PixelBox> only) -> const Image& {
+            const ShadingPlan plan = makePlan(scene, settings);
+            const DeviceScene uploaded = renderer.upload(scene, plan);
+            drawn = renderer
+                        .render(
+                            uploaded, camera, [&](int, int) { checkpoint(); }, only)
+                        .color;
+            return drawn;
+        });
     return {toleranceName(tolerance) + (result.holds ? "" : ", out of reach"), kToleranceKind, result.settings, 0};
 }
 

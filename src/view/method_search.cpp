@@ -24,7 +24,9 @@ void MethodSearch::start(const Scene& scene, const Camera& camera, const Setting
                                     }};
         try {
             ToleranceResult found =
-                drawWithin(task, [&](const Settings& settings) -> const Image& { return await(settings); });
+                drawWithin(task, [&](const Settings& settings, std::span<const PixelBox>) -> const Image& {
+                    return await(settings);
+                });
             const std::lock_guard lock(mutex);
             result = std::move(found);
         } catch (const Cancelled&) {

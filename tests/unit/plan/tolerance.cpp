@@ -225,15 +225,18 @@ TEST(TolerancePlan, StepsUpToWhatTheTableSaysIsEnough)
     ASSERT_TRUE(stepUp(plan, 0.08));
     // Half of the light: 0.5 0.01 sqrt(64 / n) <= 0.75 %, so that n >= 28.4.
     EXPECT_EQ(ladderFor(plan, Slot::environmentSpecular).taken().method->id, "vndf_lamps");
-    EXPECT_EQ(ladderFor(plan, Slot::environmentSpecular).taken().samples, 64);
+    EXPECT_EQ(ladderFor(plan, Slot::environmentSpecular).taken().samples, 32);
     // Three times what was expected: 3 0.5 0.01 sqrt(64 / n) <= 0.75 %, so that n >= 256.
-    ASSERT_TRUE(stepUp(plan, 0.01499));
+    ASSERT_TRUE(stepUp(plan, 2.999 * 0.5 * 0.01 * std::sqrt(2.0)));
     EXPECT_EQ(ladderFor(plan, Slot::environmentSpecular).taken().samples, 256);
     // At least one step, whatever is expected; and none above the highest.
     ASSERT_TRUE(stepUp(plan, 1e-6));
-    EXPECT_EQ(ladderFor(plan, Slot::environmentSpecular).taken().samples, 1024);
-    EXPECT_FALSE(isNearest(plan));
-    ASSERT_TRUE(stepUp(plan, 1e-6));
+    EXPECT_EQ(ladderFor(plan, Slot::environmentSpecular).taken().samples, 512);
+    for (const int samples : {1024, 2048, 4096}) {
+        EXPECT_FALSE(isNearest(plan));
+        ASSERT_TRUE(stepUp(plan, 1e-6));
+        EXPECT_EQ(ladderFor(plan, Slot::environmentSpecular).taken().samples, samples);
+    }
     EXPECT_EQ(ladderFor(plan, Slot::environmentSpecular).taken().samples, kLadderSamples.back());
     EXPECT_TRUE(isNearest(plan));
     EXPECT_FALSE(stepUp(plan, 0.5));
@@ -255,7 +258,7 @@ TEST(TolerancePlan, WritesItsChoiceIntoTheSettings)
     stepUp(plan, 0.08);
     const Settings drawn = settingsOf(plan, Settings{.methods = standard()});
     EXPECT_EQ(drawn.methods.environmentSpecular->id, "vndf_lamps");
-    EXPECT_EQ(drawn.environmentSamples, 64);
+    EXPECT_EQ(drawn.environmentSamples, 32);
     EXPECT_EQ(drawn.methods.distribution, standard().distribution) << "the model stays as it was asked for";
 }
 

@@ -3,6 +3,7 @@
 #include "scene/camera_fit.h"
 #include "scene/camera_view.h"
 
+#include <array>
 #include <cmath>
 #include <gtest/gtest.h>
 #include <random>
@@ -51,6 +52,19 @@ TEST(PixelBox, HoldsEveryPointOfTheBox)
                             pixel.y < seen.beyond.y);
             }
         }
+}
+
+TEST(PixelBox, BlocksAreWholeAndOnceEach)
+{
+    const std::array pixels = {ivec2(5, 9), ivec2(4, 8), ivec2(318, 199), ivec2(0, 0)};
+    const std::vector<PixelBox> blocks = blocksAround(pixels, 319, 200);
+    ASSERT_EQ(blocks.size(), 3u);
+    EXPECT_EQ(blocks[0].first, ivec2(0, 0));
+    EXPECT_EQ(blocks[0].beyond, ivec2(kShadedBlock));
+    EXPECT_EQ(blocks[1].first, ivec2(4, 8));
+    EXPECT_EQ(blocks[1].beyond, ivec2(8, 12));
+    EXPECT_EQ(blocks[2].first, ivec2(316, 196));
+    EXPECT_EQ(blocks[2].beyond, ivec2(319, 200)) << "no further than the picture";
 }
 
 // A small box covers little more than itself: its corners and a pixel round them.
