@@ -42,6 +42,9 @@ find_package(embree 3.13 REQUIRED)                            # debian: libembre
 find_package(glfw3 3.3 CONFIG QUIET)                          # debian: libglfw3-dev
 pkg_check_modules(imgui QUIET IMPORTED_TARGET imgui>=1.86)    # debian: libimgui-dev
 
+# Times of the kernels beside the frames'. Without it there is no bench_kernels, and tools/bench.sh leaves that part out.
+find_package(benchmark 1.7 QUIET)                             # debian: libbenchmark-dev
+
 if(TORRANCE_TESTS)
   find_package(GTest 1.12 REQUIRED)                           # debian: libgtest-dev
   find_package(Python3 3.9 REQUIRED COMPONENTS Interpreter)   # the checks of the tree itself

@@ -10,7 +10,7 @@
 #   BENCH_ROUNDS     default 3
 #   BENCH_FRAMES     of a peer in a round, default 20
 #   BENCH_SECONDS    for Torrance's frames in a round, default 5
-#   BENCH_PARTS      default "frames growth memory"; figures of parts left out are those of the last run
+#   BENCH_PARTS      default "frames growth memory kernels"; figures of parts left out are those of the last run
 #   BENCH_WORK       where raw figures are kept, default build/bench
 set -euo pipefail
 cd "$(dirname "$0")/.."
@@ -19,7 +19,7 @@ torrance=$(realpath "${1:-build/release/bin/torrance}")
 page=${2:-docs/performance.md}
 peers=${BENCH_PEERS:-three babylon-aniso1 playcanvas filament vtk f3d}
 models=${BENCH_MODELS:-BoomBoxWithAxes WaterBottle MetalRoughSpheresNoTextures}
-parts=${BENCH_PARTS:-frames growth memory}
+parts=${BENCH_PARTS:-frames growth memory kernels}
 work=$(realpath -m "${BENCH_WORK:-build/bench}")
 size=1024
 environment_name=royal_esplanade_1k.hdr
@@ -156,6 +156,16 @@ measure_memory() {
     tools/soak.sh 10000 "$torrance" --primitive cube --json "$work/soak.json" --quiet >/dev/null || say "memory grows"
     tools/measure_process.py "$torrance" render --primitive sphere -r 8192x8192 --quiet -o "$work/large.png" >"$work/large.json"
     rm -f "$work/large.png"
+}
+
+# What prepares a picture, kernel by kernel: a program beside torrance in the build tree, where Google Benchmark was found.
+measure_kernels() {
+    local program
+    program=$(dirname "$torrance")/../tools/bench_kernels/bench_kernels
+    [[ -x $program ]] || { say "there is no bench_kernels: install libbenchmark-dev and build again"; return; }
+    say "kernels"
+    "$program" --benchmark_repetitions=5 --benchmark_report_aggregates_only=true --benchmark_out_format=json \
+        --benchmark_out="$work/kernels.json" >/dev/null 2>>"$work/kernels.log"
 }
 
 for part in $parts; do

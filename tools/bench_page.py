@@ -30,6 +30,18 @@ def read_lines(name):
 FRAMES = read_lines("frames.jsonl")
 BENCH = read_json("bench.json")
 GROWTH = read_json("growth.json")
+KERNELS = read_json("kernels.json")
+KERNEL_NOTES = {
+    "mips/colour": "levels of a texture of 2048 x 2048, sRGB: a texel of the finest",
+    "mips/data": "the same of plain values",
+    "mips/normal": "the same of normals",
+    "prefilter": "maps of a panorama of 1024 x 512: a texel of the maps",
+    "harmonics": "its spherical harmonics: a texel of the panorama",
+    "display": "exposure, tone curve, sRGB, codes of 1024 x 1024: a pixel",
+    "encode": "PNG of the same: a pixel",
+    "tangents": "MikkTSpace on a sphere: a triangle",
+    "culling": "which triangles of a sphere show: a triangle",
+}
 
 
 def figures(who, model, samples, key, run=None, sampling="supersampled"):
@@ -247,6 +259,16 @@ def memory_lines():
     return text + [""]
 
 
+def kernel_table():
+    rows = []
+    for kernel in KERNELS["benchmarks"] if KERNELS else []:
+        if kernel.get("aggregate_name") == "median":
+            time, memory = kernel["ns_an_item"], kernel["memory_ns_an_item"]
+            name = kernel["run_name"]
+            rows.append([KERNEL_NOTES.get(name, name), digits(time), digits(memory), digits(time / memory)])
+    return table(["kernel: item", "CPU ns an item", "memory alone, ns", "ratio"], rows) if rows else []
+
+
 def peer_versions():
     package = read_json("peers.json")
     if not package or not peers():
@@ -298,6 +320,11 @@ def page():
     memory = memory_lines()
     if len(memory) > 1:
         text += ["## Memory", ""] + memory
+    if kernels := kernel_table():
+        text += ["## Kernels", "",
+                 "What prepares a picture on the processor, by `bench_kernels`: processor time of all threads, the median of "
+                 "five runs. Memory alone is what reading and writing the bytes once would take, at the pace of a copy "
+                 "measured in the same run.", ""] + kernels
     return "\n".join(text).rstrip() + "\n"
 
 

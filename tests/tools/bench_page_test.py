@@ -99,5 +99,13 @@ class BenchPage(unittest.TestCase):
         self.assertIn("10,000 renders", text)
         self.assertIn("+1.00 %", text)
 
+    def test_puts_kernels_beside_memory(self):
+        def kernel(aggregate, time):
+            return {"run_name": "display", "aggregate_name": aggregate, "ns_an_item": time, "memory_ns_an_item": 2}
+        kernels = {"benchmarks": [kernel("mean", 9), kernel("median", 5), kernel("stddev", 1)]}
+        text, _ = page({"growth.json": json.dumps(GROWTH), "kernels.json": json.dumps(kernels)})
+        self.assertRegex(text, r"1024 x 1024: a pixel \| 5\.00 \| 2\.00 \| 2\.50 \|")
+        self.assertNotIn("9.00", text)
+
 
 unittest.main()
