@@ -26,7 +26,8 @@ struct FrameOptions
     std::optional<int> lightSamples;
 };
 
-/// The options of the picture, --background-blur, --samples, --path, --triangle-culling, those of the methods, --environment-samples and
+/// The options of the picture, --background-blur, --samples, --path, --triangle-culling, those of the methods,
+/// --environment-samples and
 /// --light-samples.
 void declareFrameOptions(CLI::App& app, FrameOptions& options);
 

@@ -127,7 +127,9 @@ const VisibleTriangles* TriangleCulling::find(const DeviceScene& scene, const Ca
     }
     if (places.size() < placeCount)
         places.resize(placeCount);
-    if (const vk::DeviceSize bytes = indexCount * sizeof(std::uint32_t); visible.indices.size < bytes) {
+    if (const vk::DeviceSize bytes = indexCount * sizeof(std::uint32_t);
+        !*visible.indices.handle || visible.indices.size < bytes) // one there is even where nothing is seen
+    {
         visible.indices = {}; // the old memory goes before the new comes
         visible.indices =
             gpu::makeBuffer(device, bytes, vk::BufferUsageFlagBits::eIndexBuffer, "indices of visible triangles");

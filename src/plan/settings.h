@@ -40,9 +40,9 @@ struct Settings
     std::optional<RenderPath> path = {}; // none: the plan chooses
     /// Of triangles that show at no pixel's centre, on the processor: the same picture. None: where it pays.
     std::optional<bool> triangleCulling = {};
-    const View* view = nullptr;          // a term instead of the colour; null: the colour
-    int viewLight = 0;                   // of ShadingPlan::lights
-    bool layers = false;                 // surface parameters as pictures of their own
+    const View* view = nullptr; // a term instead of the colour; null: the colour
+    int viewLight = 0;          // of ShadingPlan::lights
+    bool layers = false;        // surface parameters as pictures of their own
 };
 
 } // namespace torrance

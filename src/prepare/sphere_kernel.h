@@ -2,8 +2,8 @@
 #pragma once
 
 #include "math/cube.h"
-#include "prepare/cube_tree.h"
 #include "math/lanes.h"
+#include "prepare/cube_tree.h"
 
 #include <algorithm>
 #include <array>

@@ -8,6 +8,7 @@
 #include "scenes.h"
 #include "two_paths.h"
 
+#include <algorithm>
 #include <gtest/gtest.h>
 
 namespace torrance::test {
@@ -127,6 +128,13 @@ TEST(TriangleCulling, FollowsTheCamera)
         EXPECT_TRUE(renderer.render(onDevice, camera).color.texels == draw(scene, camera, settings).color.texels)
             << distance;
     }
+    Renderer fresh(device(), shaders(), {});
+    const DeviceScene unseen = fresh.upload(scene, plan);
+    Camera away = orbitCamera({0.4, 1.0}, 3.0, dvec3(0.0), 0.9);
+    away.worldFromCamera[0] *= -1.0; // half a turn about its own up
+    away.worldFromCamera[2] *= -1.0;
+    const Image nothing = fresh.render(unseen, away).color;
+    EXPECT_TRUE(std::ranges::all_of(nothing.texels, [](float value) { return value == 0.0f; }));
 }
 
 } // namespace
