@@ -56,7 +56,8 @@ struct ToleranceTask
 /// picture. Valid until the next call.
 using DrawPicture = std::function<const Image&(const Settings&, std::span<const PixelBox> only)>;
 
-/// Methods are tried where the certificate looks; what is found is drawn whole, last. Where nothing is covered, the
+/// Methods are tried where the certificate looks; what is found is drawn whole after its trial, with the same settings.
+/// Where nothing is covered, the
 /// certificate's `covered` is 0 and nothing holds. Throws as requireCertifiable, and what `draw` throws.
 ToleranceResult drawWithin(const ToleranceTask& task, const DrawPicture& draw);
 

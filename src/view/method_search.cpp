@@ -24,8 +24,9 @@ void MethodSearch::start(const Scene& scene, const Camera& camera, const Setting
                                     }};
         try {
             ToleranceResult found =
-                drawWithin(task, [&](const Settings& settings, std::span<const PixelBox>) -> const Image& {
-                    return await(settings);
+                drawWithin(task, [&](const Settings& settings, std::span<const PixelBox> only) -> const Image& {
+                    // What is given is whole: the last trial's picture is the one that is asked for in the end.
+                    return only.empty() && picture ? *picture : await(settings);
                 });
             const std::lock_guard lock(mutex);
             result = std::move(found);
