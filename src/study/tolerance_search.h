@@ -57,8 +57,8 @@ struct ToleranceTask
 using DrawPicture = std::function<const Image&(const Settings&, std::span<const PixelBox> only)>;
 
 /// Methods are tried where the certificate looks; what is found is drawn whole after its trial, with the same settings.
-/// Where nothing is covered, the
-/// certificate's `covered` is 0 and nothing holds. Throws as requireCertifiable, and what `draw` throws.
+/// Where nothing is covered, the certificate's `covered` is 0 and nothing holds. Throws as requireCertifiable, and what
+/// `draw` throws.
 ToleranceResult drawWithin(const ToleranceTask& task, const DrawPicture& draw);
 
 /// What was chosen and why, what was tried and how far off it was, a line each: for people.
