@@ -101,9 +101,9 @@ TORRANCE_INLINE IntLanes mayShow(const TriangleView& view, const Corners& c)
         shows = (view.sides == VisibleSides::clockwise ? area : -area) >= -areaDoubt;
 
     // The first and the last pixel whose centre lies in the box: where none does, the last comes before the first.
-    const Lanes nothing = {};
-    const Lanes left = greater(lesser(c.x[0], lesser(c.x[1], c.x[2])) - doubt, nothing);
-    const Lanes top = greater(lesser(c.y[0], lesser(c.y[1], c.y[2])) - doubt, nothing);
+    const Lanes nothing = {}; // before the other number: what is no number is not taken then
+    const Lanes left = greater(nothing, lesser(c.x[0], lesser(c.x[1], c.x[2])) - doubt);
+    const Lanes top = greater(nothing, lesser(c.y[0], lesser(c.y[1], c.y[2])) - doubt);
     const Lanes right = lesser(greater(c.x[0], greater(c.x[1], c.x[2])) + doubt, nothing + 2.0f * view.halfSize.x);
     const Lanes bottom = lesser(greater(c.y[0], greater(c.y[1], c.y[2])) + doubt, nothing + 2.0f * view.halfSize.y);
     const IntLanes column = whole(left + 0.5f), row = whole(top + 0.5f);
