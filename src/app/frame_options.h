@@ -27,8 +27,7 @@ struct FrameOptions
 };
 
 /// The options of the picture, --background-blur, --samples, --path, --triangle-culling, those of the methods,
-/// --environment-samples and
-/// --light-samples.
+/// --environment-samples and --light-samples.
 void declareFrameOptions(CLI::App& app, FrameOptions& options);
 
 /// Error (usage) where a picture is too large for this machine, options contradict each other or have no effect.

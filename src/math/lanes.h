@@ -5,6 +5,9 @@
 
 #include <cstring>
 
+// They are passed by value between functions that are inlined: no calling convention is involved.
+#pragma GCC diagnostic ignored "-Wpsabi"
+
 namespace torrance {
 
 inline constexpr int kLanes = 8;

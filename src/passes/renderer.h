@@ -64,8 +64,8 @@ public:
     void prepareEnvironment(const Scene& scene, const ShadingPlan& plan);
 
     /// `progress` is called with (done, all) samples after each. With `only`, boxes within the picture, surfaces are
-    /// drawn there alone, and what the colour is elsewhere is not said: boxes of whole blocks (pixel_box.h) hold what
-    /// the whole picture holds there. Throws Error (deviceFailure, usage).
+    /// drawn there alone, without layers, and what the colour is elsewhere is not said: boxes of whole blocks
+    /// (pixel_box.h) hold what the whole picture holds there. Throws Error (deviceFailure, usage).
     Picture render(const DeviceScene& scene, const Camera& camera, const std::function<void(int, int)>& progress = {},
                    std::span<const PixelBox> only = {});
 

@@ -3,7 +3,13 @@
 
 #include "plan/shading_plan.h"
 
+#include <array>
+
 namespace torrance {
+
+/// All there are.
+inline constexpr std::array kRenderPaths = {RenderPath::forward, RenderPath::prepass, RenderPath::attributes,
+                                            RenderPath::deferred};
 
 /// Sets ShadingPlan::path: the settings' own, or the one that is cheapest on a software rasterizer
 /// (docs/performance.md), and says why. The rule looks at counts alone, so that all cameras see one path. For a plan

@@ -1,7 +1,5 @@
 #include "scene/visible_triangles.h"
 
-#include "math/lanes.h"
-
 #include <algorithm>
 #include <array>
 #include <cmath>

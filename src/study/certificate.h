@@ -91,9 +91,8 @@ struct Certificate
 
 enum class CertificateParts
 {
-    sample,  // shading, by the pixels drawn at random alone: the picture may be nothing elsewhere
-    shading, // alone, whatever the request
-    all,     // that the request asks for
+    sample, // shading, by the pixels drawn at random alone: the picture may be nothing elsewhere
+    all,    // that the request asks for, of the whole picture
 };
 
 /// Called before each pixel whose truth is computed, from any thread: what it throws ends the work.

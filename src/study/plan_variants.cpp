@@ -73,8 +73,7 @@ void addNumbers(std::vector<PlanVariant>& variants, const Scene& scene, const Se
 
 void addPaths(std::vector<PlanVariant>& variants, const Settings& base)
 {
-    for (const RenderPath path :
-         {RenderPath::forward, RenderPath::prepass, RenderPath::attributes, RenderPath::deferred}) {
+    for (const RenderPath path : kRenderPaths) {
         Settings settings = base;
         settings.path = path;
         variants.push_back({fmt::format("path={}", nameOf(path)), "path", settings, 0});

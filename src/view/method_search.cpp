@@ -50,6 +50,7 @@ void MethodSearch::stop()
     if (thread.joinable())
         thread.join();
     asksFor.reset();
+    picture.reset();
     result.reset();
     failure = nullptr;
 }

@@ -89,8 +89,7 @@ void choosePath(const PanelContext& context)
     ViewerState& state = context.state;
     int chosen = state.settings.path ? static_cast<int>(*state.settings.path) + 1 : 0;
     std::vector<std::string> names = {"by the plan"};
-    for (const RenderPath path :
-         {RenderPath::forward, RenderPath::prepass, RenderPath::attributes, RenderPath::deferred})
+    for (const RenderPath path : kRenderPaths)
         names.emplace_back(nameOf(path));
     if (choose(context, "path", names, chosen)) {
         state.settings.path = chosen == 0 ? std::nullopt : std::optional(static_cast<RenderPath>(chosen - 1));

@@ -15,6 +15,21 @@ TEST(RenderPath, IsChosenAndExplained)
     EXPECT_EQ(folder.names(), std::vector<std::string>{"a.exr"});
 }
 
+TEST(RenderPath, TriangleCullingIsChosenAndExplained)
+{
+    const TestFolder folder;
+    for (const char* choice : {"on", "off"}) {
+        const Outcome outcome = runTorrance({"render", "demo", "-r", "32x24", "--triangle-culling", choice, "--explain",
+                                             "-o", folder.file(std::string(choice) + ".exr")});
+        EXPECT_EQ(outcome.exitCode, 0) << outcome.errors;
+        EXPECT_EQ(outcome.output.find("(--triangle-culling on)") != std::string::npos, choice == std::string("on"))
+            << outcome.output;
+    }
+    const Outcome refused = runTorrance({"render", "demo", "--triangle-culling", "yes", "-o", folder.file("a.png")});
+    EXPECT_EQ(refused.exitCode, 2);
+    EXPECT_TRUE(isOneLine(refused.errors)) << refused.errors;
+}
+
 TEST(RenderPath, RefusesOthers)
 {
     const Outcome outcome = runTorrance({"render", "demo", "--path", "defered", "-o", "a.png"});

@@ -109,8 +109,7 @@ TEST(Determinism, NothingIsLeftOfTheFrameBefore)
     scene.lights = {testLight(Light::Kind::directional)};
     scene.environment = uniformEnvironment(dvec3(0.2, 0.3, 0.4));
     const Camera camera = fitCamera(scene, {0.4, 1.0}, 1.0, 0.7, 0.05);
-    for (const RenderPath path :
-         {RenderPath::forward, RenderPath::prepass, RenderPath::attributes, RenderPath::deferred}) {
+    for (const RenderPath path : kRenderPaths) {
         Settings settings = settingsOf("standard", 96);
         settings.background = BackgroundKind::environment;
         settings.path = path;

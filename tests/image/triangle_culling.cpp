@@ -53,15 +53,13 @@ Scene tori()
     return scene;
 }
 
-constexpr std::array kPaths = {RenderPath::forward, RenderPath::prepass, RenderPath::attributes, RenderPath::deferred};
-
 TEST(TriangleCulling, DrawsTheSamePicture)
 {
     Scene scene = tori();
     for (const bool doubleSided : {false, true}) {
         for (Material& material : scene.materials)
             material.doubleSided = doubleSided;
-        for (const RenderPath path : kPaths)
+        for (const RenderPath path : kRenderPaths)
             for (const double distance : {4.0, 1.2}) { // and from within the hole, behind the eye as before it
                 Settings settings = settingsOf("standard", 48);
                 settings.path = path;
@@ -90,7 +88,7 @@ TEST(TriangleCulling, DrawsTheSameInsideOfABody)
 TEST(TriangleCulling, DrawsTheSameSurfacesOfAllKinds)
 {
     const Scene scene = sceneOfAllSurfaces();
-    for (const RenderPath path : kPaths) {
+    for (const RenderPath path : kRenderPaths) {
         Settings settings = settingsOf("standard", 64);
         settings.path = path;
         settings.layers = true;

@@ -2,6 +2,7 @@
 // triangle, a pixel) takes of all processors together, and what it would take if nothing but memory set the pace: the
 // bytes that must be read and written once, at the pace of a copy that this program measures first, on as many threads.
 #include "core/parallel.h"
+#include "core/process_usage.h"
 #include "files/image_encoders.h"
 #include "image/code_rows.h"
 #include "image/display.h"
@@ -17,10 +18,8 @@
 
 #include <algorithm>
 #include <benchmark/benchmark.h>
-#include <chrono>
 #include <cmath>
 #include <cstring>
-#include <ctime>
 #include <random>
 #include <vector>
 
@@ -30,13 +29,6 @@ namespace {
 constexpr int kTextureSide = 2048;
 constexpr int kPanoramaWidth = 1024;
 constexpr int kPictureSide = 1024;
-
-double processorSeconds()
-{
-    timespec now;
-    clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &now);
-    return double(now.tv_sec) + 1e-9 * double(now.tv_nsec);
-}
 
 /// Processor seconds of all threads for a byte that is read and one that is written: the best of a few copies of more
 /// than any cache holds.
@@ -48,10 +40,10 @@ double secondsPerCopiedByte()
         std::vector<std::byte> to(kBytes);
         double best = 1.0;
         for (int i = 0; i < 5; ++i) {
-            const double start = processorSeconds();
+            const double start = timeUse().processor;
             parallelFor(kBytes / kPiece, 1,
                         [&](std::size_t piece) { std::memcpy(&to[piece * kPiece], &from[piece * kPiece], kPiece); });
-            best = std::min(best, processorSeconds() - start);
+            best = std::min(best, timeUse().processor - start);
             benchmark::DoNotOptimize(to.data());
         }
         return best / double(kBytes);
@@ -66,9 +58,9 @@ void measure(benchmark::State& state, double items, double bytes, Work work)
     work(); // memory is there, tables are made
     double seconds = 0.0, runs = 0.0;
     for (auto _ : state) {
-        const double start = processorSeconds();
+        const double start = timeUse().processor;
         work();
-        seconds += processorSeconds() - start;
+        seconds += timeUse().processor - start;
         ++runs;
     }
     state.counters["items"] = items;

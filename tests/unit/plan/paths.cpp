@@ -67,8 +67,7 @@ TEST(PathPlan, DrawsForwardWhatHasNoLitMesh)
 TEST(PathPlan, KeepsToTheSettings)
 {
     Settings s = sized(64);
-    for (const RenderPath path :
-         {RenderPath::forward, RenderPath::prepass, RenderPath::attributes, RenderPath::deferred}) {
+    for (const RenderPath path : kRenderPaths) {
         s.path = path;
         const ShadingPlan plan = makePlan(litScene(), s);
         EXPECT_EQ(plan.path, path);
