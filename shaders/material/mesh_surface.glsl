@@ -4,7 +4,7 @@
 #include "material/normal_map.glsl"
 #include "material/surface.glsl"
 #include "material/texels.glsl"
-#ifdef EXACT_LEVEL
+#if defined(EXACT_LEVEL) || defined(WORDS_UV)
 #include "material/level_of_detail.glsl"
 #endif
 #ifdef AA_TOKUYOSHI
@@ -60,6 +60,9 @@ layout(location = 11) INPUT vec2 inEmissiveUv;
 
 Texels readTexels()
 {
+#ifdef WORDS_UV
+    return readWords(WORDS_UV, levelOfDetail(WORDS_UV, vec2(textureSize(wordsTexture, 0))) + material.wordsLevel);
+#else
     Texels t;
 #ifdef BASE_COLOR_UV
     t.baseColor = READ_TEXTURE(baseColorTexture, BASE_COLOR_UV);
@@ -77,6 +80,7 @@ Texels readTexels()
     t.emissive = READ_TEXTURE(emissiveTexture, EMISSIVE_UV);
 #endif
     return t;
+#endif
 }
 
 // Linear, with alpha; alpha is the texel's own where ALPHA_MASK or ALPHA_BLEND asks for it.

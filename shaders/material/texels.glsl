@@ -9,6 +9,9 @@ struct Texels
     vec4 emissive;  // rgb linear
 };
 
+#ifdef WORDS_UV
+#include "material/texel_words.glsl"
+#else
 #ifdef BASE_COLOR_UV
 layout(set = 0, binding = kBindBaseColor) uniform sampler2D baseColorTexture;
 #endif
@@ -23,6 +26,7 @@ layout(set = 0, binding = kBindOcclusion) uniform sampler2D occlusionTexture;
 #endif
 #ifdef EMISSIVE_UV
 layout(set = 0, binding = kBindEmissive) uniform sampler2D emissiveTexture;
+#endif
 #endif
 
 // Roughness, metallic, occlusion and emission of a surface; the base colour and the normal are the caller's.

@@ -9,8 +9,13 @@ layout(location = 0) out uvec4 outNormal;
 layout(location = 1) out uvec4 outUv;
 #endif
 
+#ifdef WORDS_UV
+#define LEVEL_SAMPLER usampler2D
+#else
+#define LEVEL_SAMPLER sampler2D
+#endif
 #ifdef ATTRIBUTE_UV
-layout(set = 0, binding = kBindLevel) uniform sampler2D levelTexture;
+layout(set = 0, binding = kBindLevel) uniform LEVEL_SAMPLER levelTexture;
 #endif
 
 // The interpolated normal, of any length but zero.
@@ -41,7 +46,7 @@ void main()
     vec2 tangent = vec2(0.0);
 #ifdef ATTRIBUTE_UV
     uv = ATTRIBUTE_UV;
-#ifdef EXACT_LEVEL
+#if defined(EXACT_LEVEL) || defined(WORDS_UV)
     bits.level = levelOfDetail(uv, vec2(textureSize(levelTexture, 0)));
 #else
     bits.level = textureQueryLod(levelTexture, uv).y; // the device's own: its logarithm may be an approximate one

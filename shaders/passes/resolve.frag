@@ -43,6 +43,9 @@ vec3 positionOf(vec3 ray, ivec2 pixel)
 #ifdef ATTRIBUTE_UV
 Texels readTexels(Material m, vec2 uv, float level)
 {
+#ifdef WORDS_UV
+    return readWords(uv, level + m.wordsLevel);
+#else
     Texels t;
 #ifdef BASE_COLOR_UV
     t.baseColor = textureLod(baseColorTexture, uv, level + m.levels.x);
@@ -60,6 +63,7 @@ Texels readTexels(Material m, vec2 uv, float level)
     t.emissive = textureLod(emissiveTexture, uv, level + m.levels.w);
 #endif
     return t;
+#endif
 }
 #endif
 

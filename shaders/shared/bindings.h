@@ -28,6 +28,7 @@ SHARED_UINT(kBindDepth, 22);
 SHARED_UINT(kBindSampleDepth, 23);      // of four samples a pixel
 SHARED_UINT(kBindLevel, 24);            // the texture whose level of detail is kept
 SHARED_UINT(kBindEnvironmentLamps, 25); // with mips: what src/prepare/environment_lamps.h takes out of the radiance
+SHARED_UINT(kBindTexelWords, 27);      // of all of a material's textures
 SHARED_UINT(kBindBackground, 26);       // the chain whose level is seen behind the scene
 
 SHARED_END

@@ -33,6 +33,8 @@ struct Material
     uint slot;            // number among the materials of its class
     vec4 levels;          // what the level that is kept differs by for base colour, scalars, normal, emissive
     float occlusionLevel; // and for occlusion
+
+    float wordsLevel; // what is added to the level at which texel words are read
 };
 
 // As many as are shaded in one go: 64 KiB hold more, a uniform block's limit.

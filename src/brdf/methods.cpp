@@ -643,6 +643,17 @@ constexpr Method kMethods[] = {
      .domain = {.text = "all; levels meet in visible steps"},
      .reciprocal = true,
      .formula = LevelFormula(&T_nearest_level)},
+    {.slot = Slot::textureFilter,
+     .id = "trilinear_words",
+     .citation =
+         "Williams 1983, Pyramidal Parametrics; Vulkan 1.3, 16.5.7: the level of detail is the logarithm of the "
+         "longer step in texels",
+     .approximates = "trilinear_exact, of texels rounded to 128 bits for all of a material's textures together",
+     .domain = {.text = "all; opaque materials of three textures or more that are read at one place, alike and "
+                        "repeated, of 8 bits; others are read as by trilinear"},
+     .reciprocal = true,
+     .formula = LevelFormula(&T_trilinear_words),
+     .file = "material/texel_words.glsl"},
 
     {.slot = Slot::specularAntialiasing,
      .id = "none",

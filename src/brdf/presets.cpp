@@ -30,7 +30,7 @@ Preset gltf()
             .environmentSpecular = known(Slot::environmentSpecular, "split_sum"),
             .dfg = known(Slot::dfg, "table"),
             .areaLight = known(Slot::areaLight, "point"),
-            .textureFilter = known(Slot::textureFilter, "trilinear"),
+            .textureFilter = known(Slot::textureFilter, "trilinear_words"),
             .specularAntialiasing = known(Slot::specularAntialiasing, "none"),
             .pixelSampling = known(Slot::pixelSampling, "supersampled")};
 }
@@ -53,7 +53,7 @@ Preset source(std::string_view id, std::string_view description, std::string_vie
     preset.description = description;
     preset.model = known(Slot::model, model);
     preset.areaLight = known(Slot::areaLight, "point"); // their lights have no size
-    preset.textureFilter = known(Slot::textureFilter, "trilinear");
+    preset.textureFilter = known(Slot::textureFilter, "trilinear_words");
     preset.specularAntialiasing = known(Slot::specularAntialiasing, "none");
     preset.pixelSampling = known(Slot::pixelSampling, "supersampled");
     preset.light = light;

@@ -15,6 +15,11 @@ double T_trilinear(const TexelFootprint& footprint)
     return T_trilinear_exact(footprint);
 }
 
+double T_trilinear_words(const TexelFootprint& footprint)
+{
+    return T_trilinear_exact(footprint);
+}
+
 double T_nearest_level(const TexelFootprint& footprint)
 {
     return std::ceil(T_trilinear_exact(footprint) - 0.5);
@@ -23,6 +28,11 @@ double T_nearest_level(const TexelFootprint& footprint)
 bool computesLevel(const Preset& methods)
 {
     return methods.textureFilter->id == "trilinear_exact";
+}
+
+bool readsWords(const Preset& methods)
+{
+    return methods.textureFilter->id == "trilinear_words";
 }
 
 } // namespace torrance::brdf

@@ -152,9 +152,12 @@ bool canSampleRows(const Device& device, const ImageShape& shape)
 {
     if (!device.description.isProcessor() || shape.layers != 1)
         return false;
-    constexpr auto kNeeded =
-        vk::FormatFeatureFlagBits::eSampledImage | vk::FormatFeatureFlagBits::eSampledImageFilterLinear;
-    if ((device.physical.getFormatProperties(shape.format).linearTilingFeatures & kNeeded) != kNeeded)
+    using Feature = vk::FormatFeatureFlagBits;
+    const vk::FormatProperties features = device.physical.getFormatProperties(shape.format);
+    // Whole numbers have no filter, in rows as in any order.
+    const vk::FormatFeatureFlags needed =
+        features.optimalTilingFeatures & (Feature::eSampledImage | Feature::eSampledImageFilterLinear);
+    if (!(needed & Feature::eSampledImage) || (features.linearTilingFeatures & needed) != needed)
         return false;
     try {
         const vk::ImageFormatProperties limits = device.physical.getImageFormatProperties(

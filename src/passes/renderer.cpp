@@ -486,7 +486,7 @@ Picture Renderer::render(const DeviceScene& scene, const Camera& camera, const s
                 progress(i + 1, count);
         }
         Picture picture = {.color = readBack(device, sum ? *sum : frame(scene.plan)), .layers = {}};
-        if (settings.layers)
+        if (settings.layers && only.empty())
             picture.layers = drawLayers(scene, camera);
         return picture;
     });

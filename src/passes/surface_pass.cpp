@@ -294,8 +294,9 @@ bool hasDepthPass(const ShaderKey& key)
 
 void bindTextures(gpu::Bindings& bindings, const TextureSet& set, const Textures& textures)
 {
-    constexpr std::array kBindings = {shared::kBindBaseColor, shared::kBindScalars, shared::kBindNormal,
-                                      shared::kBindOcclusion, shared::kBindEmissive}; // by TextureRole
+    constexpr std::array kBindings = {shared::kBindBaseColor, shared::kBindScalars,
+                                      shared::kBindNormal,    shared::kBindOcclusion,
+                                      shared::kBindEmissive,  shared::kBindTexelWords}; // by TextureRole
     for (std::size_t role = 0; role < kBindings.size(); ++role)
         if (const int texture = set[role]; texture >= 0)
             bindings.set(kBindings[role], textures.image(texture), textures.sampler(texture));

@@ -17,19 +17,30 @@ namespace {
 vk::Format formatOf(TexelStorage storage)
 {
     constexpr std::array kFormats = {vk::Format::eR8G8B8A8Unorm, vk::Format::eR16G16B16A16Unorm,
-                                     vk::Format::eR16G16B16A16Sfloat, vk::Format::eR32G32B32A32Sfloat};
+                                     vk::Format::eR16G16B16A16Sfloat, vk::Format::eR32G32B32A32Sfloat,
+                                     vk::Format::eR32G32B32A32Uint};
     return kFormats[static_cast<std::size_t>(storage)];
 }
 
-ChannelPictures picturesOf(const Scene& scene, const PlannedTexture& texture)
+/// Four channels each, of texel words three.
+using Parts = std::array<ChannelPictures, 3>;
+
+Parts partsOf(const Scene& scene, const PlannedTexture& texture)
 {
-    ChannelPictures pictures;
-    for (std::size_t c = 0; c < texture.channels.size(); ++c) {
-        const ChannelSource& source = texture.channels[c];
-        pictures.images[c] = source.image < 0 ? nullptr : &scene.images[static_cast<std::size_t>(source.image)];
-        pictures.channels[c] = source.channel;
+    Parts parts;
+    const std::span<const ChannelSource> sources = sourcesOf(texture);
+    for (std::size_t i = 0; i < sources.size(); ++i) {
+        ChannelPictures& pictures = parts[i / 4];
+        pictures.images[i % 4] =
+            sources[i].image < 0 ? nullptr : &scene.images[static_cast<std::size_t>(sources[i].image)];
+        pictures.channels[i % 4] = sources[i].channel;
     }
-    return pictures;
+    return parts;
+}
+
+const TextureImage& anyOf(const Parts& parts)
+{
+    return std::ranges::find_if(parts, [](const ChannelPictures& p) { return !p.empty(); })->any();
 }
 
 /// The texture is a picture as it is, or as much of it as anything reads.
@@ -44,23 +55,27 @@ bool isOnePicture(const ChannelPictures& pictures)
 std::array<bool, 4> channelsRead(const PlannedTexture& texture)
 {
     std::array<bool, 4> read{};
+    if (texture.words)
+        return {true, true, true, true};
     for (std::size_t c = 0; c < read.size(); ++c)
         read[c] = texture.channels[c].image >= 0;
     read[3] = read[3] || texture.lengthInAlpha;
     return read;
 }
 
-bool hasTexels(const ChannelPictures& pictures)
+bool hasTexels(const Parts& parts)
 {
-    return std::ranges::none_of(pictures.images,
-                                [](const TextureImage* picture) { return picture && picture->texels.empty(); });
+    return std::ranges::none_of(parts, [](const ChannelPictures& pictures) {
+        return std::ranges::any_of(pictures.images,
+                                   [](const TextureImage* picture) { return picture && picture->texels.empty(); });
+    });
 }
 
 /// A texture as its image is to have it.
 struct TextureTask
 {
     const PlannedTexture& texture;
-    ChannelPictures pictures;
+    Parts pictures;
     MipRule rule = {};
     std::size_t texelBytes = 0;
     std::size_t missing = 0; // levels that are no one's, before those of the image
@@ -92,11 +107,11 @@ std::vector<std::size_t> numbersOf(const gpu::RowLayout& layout)
 TextureTask taskFor(const gpu::Device& device, const Scene& scene, const PlannedTexture& texture, int finestLevel,
                     const KeptLevels& kept)
 {
-    TextureTask task{.texture = texture, .pictures = picturesOf(scene, texture)};
-    const TextureImage& picture = task.pictures.any();
+    TextureTask task{.texture = texture, .pictures = partsOf(scene, texture)};
+    const TextureImage& picture = anyOf(task.pictures);
     task.rule = {
         .content = texture.content, .weighByAlpha = texture.weighByAlpha, .lengthInAlpha = texture.lengthInAlpha};
-    const TexelStorage storage = storageOf(task.pictures.format(), task.rule);
+    const TexelStorage storage = texture.words ? TexelStorage::words : storageOf(task.pictures[0].format(), task.rule);
     task.texelBytes = bytesPerTexel(storage);
     task.missing = static_cast<std::size_t>(finestLevel);
     const int levelCount = texture.sampler.mip != MipFilter::none ? mipCount(picture.width, picture.height) : 1;
@@ -139,8 +154,12 @@ bool fillLevels(const TextureTask& task, const KeptLevels& kept, std::byte* memo
         levels.push_back({memory + level.offset, level.rowPitch});
     if (task.key)
         clearGaps(task, memory);
-    isOnePicture(task.pictures) ? writeLevels(task.pictures.any(), task.rule, levels)
-                                : writePackedLevels(task.pictures, task.rule, levels);
+    if (task.texture.words)
+        writeWordLevels(task.pictures, levels);
+    else if (isOnePicture(task.pictures[0]))
+        writeLevels(task.pictures[0].any(), task.rule, levels);
+    else
+        writePackedLevels(task.pictures[0], task.rule, levels);
     return true;
 }
 
@@ -160,7 +179,7 @@ struct MadeTexture
 MadeTexture makeInPlace(const gpu::Device& device, const TextureTask& task, const KeptLevels& kept)
 {
     MadeTexture made = {.image = gpu::makeImage(device, task.shape, vk::ImageUsageFlagBits::eSampled,
-                                                task.pictures.any().name, gpu::ImageTiling::rows)};
+                                                anyOf(task.pictures).name, gpu::ImageTiling::rows)};
     gpu::writeRows(made.image, [&](std::byte* memory) {
         if (fillLevels(task, kept, memory) && task.key)
             made.keep = KeepTask{*task.key, {memory, task.layout.bytes}};
@@ -172,7 +191,7 @@ MadeTexture makeByCopy(const gpu::Device& device, const TextureTask& task, const
 {
     using Usage = vk::ImageUsageFlagBits;
     MadeTexture made = {
-        .image = gpu::makeImage(device, task.shape, Usage::eSampled | Usage::eTransferDst, task.pictures.any().name)};
+        .image = gpu::makeImage(device, task.shape, Usage::eSampled | Usage::eTransferDst, anyOf(task.pictures).name)};
     const gpu::Buffer staging = gpu::makeStagingBuffer(device, task.layout.bytes, "texels");
     if (fillLevels(task, kept, staging.mapped) && task.key) // what is copied from goes with the copy
         kept.textures->keepLevels(*task.key, {staging.mapped, task.layout.bytes});
@@ -187,7 +206,7 @@ MadeTexture makeTexture(const gpu::Device& device, const TextureTask& task, cons
 {
     if (pages)
         if (auto image =
-                gpu::makeImageOver(device, task.shape, task.layout, std::move(*pages), task.pictures.any().name))
+                gpu::makeImageOver(device, task.shape, task.layout, std::move(*pages), anyOf(task.pictures).name))
             return {.image = std::move(*image)};
     return task.inPlace ? makeInPlace(device, task, kept) : makeByCopy(device, task, kept);
 }
@@ -210,7 +229,7 @@ std::vector<std::size_t> lastReaders(const Scene& scene, const ShadingPlan& plan
 {
     std::vector<std::size_t> readers(scene.images.size(), 0);
     for (std::size_t i = 0; i < plan.textures.size(); ++i)
-        for (const ChannelSource& source : plan.textures[i].channels)
+        for (const ChannelSource& source : sourcesOf(plan.textures[i]))
             if (source.image >= 0)
                 readers[static_cast<std::size_t>(source.image)] = i + 1;
     return readers;

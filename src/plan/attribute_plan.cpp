@@ -139,7 +139,8 @@ ShaderKey resolveKey(const ShaderKey& key)
     rest.alphaMode = AlphaMode::opaque;
     rest.doubleSided = false;      // the attributes tell which side is seen
     rest.vanishingNormals = false; // and hold another where there is none
-    for (TextureKey* texture : {&rest.baseColor, &rest.material, &rest.normal, &rest.occlusion, &rest.emissive})
+    for (TextureKey* texture :
+         {&rest.baseColor, &rest.material, &rest.normal, &rest.occlusion, &rest.emissive, &rest.words})
         *texture = {.used = texture->used};
     return rest;
 }

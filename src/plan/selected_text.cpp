@@ -34,11 +34,10 @@ struct UvNames
     const char* macro;
     const char* input;
 };
-constexpr UvNames kUvNames[] = {{&ShaderKey::baseColor, "BASE_COLOR_UV", "inBaseColorUv"},
-                                {&ShaderKey::material, "MATERIAL_UV", "inMaterialUv"},
-                                {&ShaderKey::normal, "NORMAL_UV", "inNormalUv"},
-                                {&ShaderKey::occlusion, "OCCLUSION_UV", "inOcclusionUv"},
-                                {&ShaderKey::emissive, "EMISSIVE_UV", "inEmissiveUv"}};
+constexpr UvNames kUvNames[] = {
+    {&ShaderKey::baseColor, "BASE_COLOR_UV", "inBaseColorUv"}, {&ShaderKey::material, "MATERIAL_UV", "inMaterialUv"},
+    {&ShaderKey::normal, "NORMAL_UV", "inNormalUv"},           {&ShaderKey::occlusion, "OCCLUSION_UV", "inOcclusionUv"},
+    {&ShaderKey::emissive, "EMISSIVE_UV", "inEmissiveUv"},     {&ShaderKey::words, "WORDS_UV", "inWordsUv"}};
 
 void defineUvs(std::string& text, const ShaderKey& key)
 {
@@ -52,6 +51,7 @@ void definePlace(std::string& text, ScalarPlace place, const char* macro, const 
     const auto member = [&]() -> const char* {
         switch (place) {
         case ScalarPlace::material:
+        case ScalarPlace::words:
             return inMaterial;
         case ScalarPlace::own:
             return "occlusion.r";

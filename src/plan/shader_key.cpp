@@ -31,6 +31,8 @@ const char* placeName(ScalarPlace place)
         return "normal";
     case ScalarPlace::emissiveAlpha:
         return "emissive";
+    case ScalarPlace::words:
+        return "words";
     case ScalarPlace::constant:
     case ScalarPlace::own:
         break;
@@ -55,7 +57,7 @@ SurfaceKind surfaceKindOf(Topology topology)
 
 bool ShaderKey::usesUv(int set) const
 {
-    for (const TextureKey* texture : {&baseColor, &material, &normal, &occlusion, &emissive})
+    for (const TextureKey* texture : {&baseColor, &material, &normal, &occlusion, &emissive, &words})
         if (texture->used && texture->uvSet == set)
             return true;
     return false;
@@ -86,6 +88,7 @@ std::string ShaderKey::name() const
     texture(normal, "normal");
     texture(occlusion, "occlusion");
     texture(emissive, "emissive");
+    texture(words, "words");
     place(roughness, "roughness");
     place(metallic, "metallic");
     place(ambient, "occlusion");

@@ -39,6 +39,7 @@ enum class ScalarPlace
     baseColorAlpha,
     normalAlpha,
     emissiveAlpha,
+    words, // its field of texel words
 };
 
 struct ShaderKey
@@ -47,7 +48,7 @@ struct ShaderKey
     bool normals = true;           // points and lines may have none: they are then drawn unlit, as glTF asks
     bool vanishingNormals = false; // interpolated, they may be zero somewhere
     bool colors = false;
-    TextureKey baseColor = {}, material = {}, normal = {}, occlusion = {}, emissive = {}; // TextureRole
+    TextureKey baseColor = {}, material = {}, normal = {}, occlusion = {}, emissive = {}, words = {}; // TextureRole
     /// All of them are sampled at one place, which the vertex shader computes: of what set and by which transform is no
     /// matter of the shaders, and the textures' keys say nothing of it.
     bool onePlace = false;

@@ -2,6 +2,7 @@
 
 #include "brdf/dfg.h"
 #include "brdf/environment.h"
+#include "brdf/texture_filter.h"
 #include "core/error.h"
 #include "plan/attribute_plan.h"
 #include "plan/compensation.h"
@@ -125,13 +126,15 @@ std::pair<ShaderKey, TextureSet> Planner::keyOf(const PlannedMaterial& planned, 
         needs.lengthInAlpha = plan.settings.methods.specularAntialiasing->id == "toksvig";
         key.compensates = planned.compensates;
     }
+    needs.words = brdf::readsWords(plan.settings.methods);
     needs.nearestLevel = plan.settings.methods.textureFilter->id == "nearest_level";
     const RoleTextures textures = planTextures(scene, m, needs, key);
     TextureSet set;
     std::ranges::transform(textures, set.begin(), [&](const auto& t) { return t ? textureIndex(*t) : -1; });
     if (sharedPlace(m, set)) {
         key.onePlace = true;
-        for (TextureKey* texture : {&key.baseColor, &key.material, &key.normal, &key.occlusion, &key.emissive})
+        for (TextureKey* texture :
+             {&key.baseColor, &key.material, &key.normal, &key.occlusion, &key.emissive, &key.words})
             *texture = {.used = texture->used};
     }
     return {key, set};
@@ -236,7 +239,7 @@ void Planner::addShapes()
                     {"shape '" + shape.name + "'", "no textures", "analytic shapes have no texture coordinates"});
         plan.instances.push_back(
             {static_cast<int>(material), static_cast<int>(i), shape.worldFromObject, dvec3(shape.worldFromObject[3])});
-        add(key, {-1, -1, -1, -1, -1},
+        add(key, kNoTextures,
             {.primitive = -1,
              .shape = static_cast<int>(i),
              .firstInstance = static_cast<int>(plan.instances.size()) - 1,

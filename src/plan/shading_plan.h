@@ -37,14 +37,14 @@ struct MaterialBlock
 {
     int material = 0; // ShadingPlan::materials
     int slot = 0;     // of the attributes path: its number in its class
-    TextureSet textures = {-1, -1, -1, -1, -1};
+    TextureSet textures = kNoTextures;
 };
 
 /// Surfaces that the attributes path shades in one go: one shader, one set of textures.
 struct ShadingClass
 {
     ShaderKey key; // of what is left of the surfaces' keys: attribute_plan.h
-    TextureSet textures = {-1, -1, -1, -1, -1};
+    TextureSet textures = kNoTextures;
     std::vector<int> blocks; // ShadingPlan::blocks by slot
 };
 
@@ -52,7 +52,7 @@ struct ShadingClass
 struct Batch
 {
     ShaderKey key;
-    TextureSet textures = {-1, -1, -1, -1, -1};
+    TextureSet textures = kNoTextures;
     std::vector<Draw> draws;
     int shadingClass = -1; // ShadingPlan::classes; -1: its surfaces are shaded as they are drawn
 };

@@ -1,10 +1,18 @@
 #include "plan/texture_plan.h"
 
 #include <algorithm>
+#include <cstdint>
 #include <vector>
 
 namespace torrance {
 namespace {
+
+/// Eight texels of words take as long as two or three trilinear samples: `torrance bench --vary
+/// texture-filter=trilinear,trilinear_words`.
+constexpr std::ptrdiff_t kLeastTextures = 3;
+/// The most texels of one texture of words: with its levels 1.4 GB, and devices may have no more than 2 GB in one
+/// piece.
+constexpr std::int64_t kMostWords = std::int64_t(8192) * 8192;
 
 /// One channel that a shader needs by itself.
 struct Scalar
@@ -49,7 +57,64 @@ public:
         return textures;
     }
 
+    /// All that the shader reads as one texture of words, or nothing where they cannot hold it.
+    std::optional<PlannedTexture> words() const
+    {
+        const TextureUse* first = nullptr;
+        for (const auto& [drawn, use] : uses()) {
+            if (!use->used())
+                continue;
+            if (!drawn->used)
+                return std::nullopt; // useOf() would not know
+            first = first ? first : use;
+            if (!shareSize(*use, *first) || texels(*use).format != TexelFormat::rgba8)
+                return std::nullopt;
+        }
+        if (!first || samplerOf(*first) != Sampler{} || key.alphaMode != AlphaMode::opaque || needs.lengthInAlpha ||
+            std::int64_t(texels(*first).width) * texels(*first).height > kMostWords)
+            return std::nullopt;
+        PlannedTexture texture;
+        WordChannels& channels = texture.words.emplace();
+        const auto put = [&](std::size_t place, const TextureKey& read, const TextureUse& use, int channel) {
+            if (read.used)
+                channels[place] = {imageOf(use), channel};
+        };
+        for (int c = 0; c < 3; ++c) {
+            put(std::size_t(c), needs.baseColor, material.baseColor, c);
+            put(4 + std::size_t(c), needs.normal, material.normal, c);
+            put(8 + std::size_t(c), needs.emissive, material.emissive, c);
+        }
+        put(3, {.used = needs.metallic}, material.metallicRoughness, 2);
+        put(7, {.used = needs.roughness}, material.metallicRoughness, 1);
+        put(11, needs.occlusion, material.occlusion, 0);
+        texture.sampler = {.magnify = Filter::nearest, .minify = Filter::nearest, .mip = MipFilter::nearest};
+        return texture;
+    }
+
+    /// The key of a shader that reads words().
+    void readWords()
+    {
+        const bool roughness = key.roughness != ScalarPlace::constant, metallic = key.metallic != ScalarPlace::constant;
+        for (const auto& [texture, use] : uses())
+            if (texture->used)
+                key.words = *texture;
+        key.material = key.occlusion = {};
+        key.roughness = roughness ? ScalarPlace::words : ScalarPlace::constant;
+        key.metallic = metallic ? ScalarPlace::words : ScalarPlace::constant;
+        key.ambient = needs.occlusion.used ? ScalarPlace::words : ScalarPlace::constant;
+    }
+
 private:
+    /// What a primitive can draw of the material's uses.
+    std::array<std::pair<const TextureKey*, const TextureUse*>, 5> uses() const
+    {
+        return {{{&needs.baseColor, &material.baseColor},
+                 {&needs.metallicRoughness, &material.metallicRoughness},
+                 {&needs.normal, &material.normal},
+                 {&needs.occlusion, &material.occlusion},
+                 {&needs.emissive, &material.emissive}}};
+    }
+
     std::optional<PlannedTexture>& at(TextureRole role) { return textures[static_cast<std::size_t>(role)]; }
 
     int imageOf(const TextureUse& use) const { return scene.textures[static_cast<std::size_t>(use.texture)].image; }
@@ -188,6 +253,13 @@ private:
 
 } // namespace
 
+std::span<const ChannelSource> sourcesOf(const PlannedTexture& texture)
+{
+    if (texture.words)
+        return *texture.words;
+    return texture.channels;
+}
+
 const TextureUse& useOf(const Material& m, TextureRole role)
 {
     switch (role) {
@@ -199,6 +271,11 @@ const TextureUse& useOf(const Material& m, TextureRole role)
         return m.normal;
     case TextureRole::occlusion:
         return m.occlusion;
+    case TextureRole::words: {
+        const TextureUse* const all[] = {&m.baseColor, &m.metallicRoughness, &m.normal, &m.occlusion};
+        const auto* const found = std::ranges::find_if(all, &TextureUse::used);
+        return found == std::end(all) ? m.emissive : **found;
+    }
     case TextureRole::emissive:
         break;
     }
@@ -221,12 +298,19 @@ const TextureUse* sharedPlace(const Material& material, const TextureSet& textur
 
 RoleTextures planTextures(const Scene& scene, const Material& material, const TextureNeeds& needs, ShaderKey& key)
 {
-    RoleTextures textures = Packer(scene, material, needs, key).run();
+    Packer packer(scene, material, needs, key);
+    RoleTextures textures = packer.run();
+    if (needs.words && std::ranges::count_if(textures, [](const auto& t) { return t.has_value(); }) >= kLeastTextures)
+        if (auto words = packer.words()) {
+            packer.readWords();
+            textures = {};
+            textures[static_cast<std::size_t>(TextureRole::words)] = std::move(words);
+        }
     for (std::optional<PlannedTexture>& texture : textures) {
         if (!texture)
             continue;
-        const auto source =
-            std::ranges::find_if(texture->channels, [](const ChannelSource& c) { return c.image >= 0; });
+        const auto sources = sourcesOf(*texture);
+        const auto source = std::ranges::find_if(sources, [](const ChannelSource& c) { return c.image >= 0; });
         const TextureImage& image = scene.images[static_cast<std::size_t>(source->image)];
         texture->width = image.width;
         texture->height = image.height;

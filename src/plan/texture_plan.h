@@ -6,6 +6,7 @@
 
 #include <array>
 #include <optional>
+#include <span>
 
 namespace torrance {
 
@@ -18,6 +19,10 @@ struct ChannelSource
     auto operator<=>(const ChannelSource&) const = default;
 };
 
+/// The channels of texel words (shaders/shared/texel_words.h), four by four: base colour and metallic, normal and
+/// roughness, emission and occlusion.
+using WordChannels = std::array<ChannelSource, 12>;
+
 struct PlannedTexture
 {
     TexelContent content = TexelContent::color; // of the first three channels; the fourth is linear
@@ -25,8 +30,9 @@ struct PlannedTexture
     int width = 0;
     int height = 0;
     Sampler sampler;
-    bool weighByAlpha = false;  // colours count by their alpha where texels are averaged
-    bool lengthInAlpha = false; // of normals: the length of their mean, which Toksvig's filter reads
+    bool weighByAlpha = false;              // colours count by their alpha where texels are averaged
+    bool lengthInAlpha = false;             // of normals: the length of their mean, which Toksvig's filter reads
+    std::optional<WordChannels> words = {}; // in place of `content` and `channels`
 
     auto operator<=>(const PlannedTexture&) const = default;
 };
@@ -39,11 +45,16 @@ enum class TextureRole
     normal,
     occlusion, // R
     emissive,
+    words, // of all of them, which are not there then
 };
-inline constexpr std::size_t kTextureRoles = 5;
+inline constexpr std::size_t kTextureRoles = 6;
 
 /// ShadingPlan::textures by TextureRole; -1 = none.
 using TextureSet = std::array<int, kTextureRoles>;
+inline constexpr TextureSet kNoTextures = {-1, -1, -1, -1, -1, -1};
+
+/// The channels that are read of Scene::images; of others `image` is -1.
+std::span<const ChannelSource> sourcesOf(const PlannedTexture& texture);
 
 /// Where and how a material reads the texture of a role; scalars that lie in another's alpha are read where that is.
 const TextureUse& useOf(const Material& material, TextureRole role);
@@ -62,12 +73,15 @@ struct TextureNeeds
     bool roughness = false, metallic = false; // varies over metallicRoughness
     bool lengthInAlpha = false;               // of the normal map
     bool nearestLevel = false;                // stands for the mean of two levels
+    bool words = false;                       // are drawn where they can be
 };
 
 /// Packs what `needs` names: single channels go into alphas that nothing else needs, where both are sampled alike, are
 /// of one size, and the alpha holds all their bits; what is left of occlusion, roughness and metallic shares one
 /// texture where it can. The pictures are the same but for the rounding of 8 bits to half floats (2^-12). Sets the
-/// key's textures and places.
+/// key's textures and places. Where TextureNeeds::words asks for it, and three or more would be read, one texture of
+/// words takes their place, if all are of one size and 8 bits, sampled alike, repeated and trilinear, and no alpha of
+/// the base colour and no length of normals is read.
 RoleTextures planTextures(const Scene& scene, const Material& material, const TextureNeeds& needs, ShaderKey& key);
 
 } // namespace torrance

@@ -8,7 +8,7 @@ namespace torrance {
 namespace {
 
 /// Change it whenever a file's bytes would give other facts or other levels, or they are kept in another form.
-constexpr int kPictureVersion = 1, kLevelsVersion = 2;
+constexpr int kPictureVersion = 1, kLevelsVersion = 3;
 
 constexpr std::uintmax_t kMaxPictureBytes = 1u << 20; // some eight thousand pictures
 constexpr std::uintmax_t kMaxLevelBytes = 1u << 30;   // eight models like WaterBottle, by its greatest levels
@@ -104,7 +104,7 @@ std::optional<ContentHash> levelsKey(const PlannedTexture& texture, std::span<co
     ContentHasher hasher;
     hasher.add(kLevelsVersion).add(texture.content).add(texture.weighByAlpha).add(texture.lengthInAlpha);
     hasher.add(texture.width).add(texture.height).add(texture.sampler.mip != MipFilter::none).add(finestLevel);
-    for (const ChannelSource& source : texture.channels) {
+    for (const ChannelSource& source : sourcesOf(texture)) {
         const ContentHash picture = source.image < 0 ? ContentHash{} : encoded[static_cast<std::size_t>(source.image)];
         hasher.add(picture.high).add(picture.low).add(source.channel);
     }

@@ -16,11 +16,12 @@ enum class TexelStorage
     unorm16,
     half,
     single,
+    words, // of all of a material's textures: shaders/shared/texel_words.h
 };
 
 constexpr std::size_t bytesPerTexel(TexelStorage storage)
 {
-    constexpr std::size_t kBytes[] = {4, 8, 8, 16};
+    constexpr std::size_t kBytes[] = {4, 8, 8, 16, 16};
     return kBytes[static_cast<std::size_t>(storage)];
 }
 
@@ -44,6 +45,18 @@ struct TexelCodec
 
 /// For texels as they come from the file; with MipRule::lengthInAlpha for those of unitNormals().
 const TexelCodec& texelCodec(TexelFormat format, const MipRule& rule);
+
+/// Which four channels of texel words: color and metallic, normal and roughness, emission and occlusion.
+enum class WordPart
+{
+    baseColor,
+    normal,
+    emissive,
+};
+
+/// For texels of 8 bits. Of a texture's parts the first to write a texel sets its words, and the others add their
+/// fields. Means of scalars and normals are rounded to the fields' steps.
+const TexelCodec& wordCodec(WordPart part, bool first);
 
 /// Normals of a file in 16 bits a channel, unit, with an alpha of 1, their length: where the lengths of means matter, 8
 /// bits would round those near 1 by more than they differ.

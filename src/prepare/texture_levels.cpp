@@ -194,21 +194,25 @@ private:
     std::array<int, kStripLevels * 4> endOfOwn{}; // by level from base
 };
 
-void write(const Source& source, std::span<const LevelMemory> levels)
+/// Sources of one size, each of which writes its part of every texel, in their order.
+void write(std::span<const Source> sources, std::span<const LevelMemory> levels)
 {
-    assert(!levels.empty() && levels.size() <= static_cast<std::size_t>(mipCount(source.width, source.height)));
+    const Source& any = sources.front();
+    assert(!levels.empty() && levels.size() <= static_cast<std::size_t>(mipCount(any.width, any.height)));
     const int last = static_cast<int>(levels.size()) - 1, top = std::min(last, kStripLevels);
-    MeanRows between{.level = top, .texels = {}};
-    if (top < last)
-        between.texels.resize(static_cast<std::size_t>(source.widthOf(top)) *
-                              static_cast<std::size_t>(source.heightOf(top)));
-    MeanRows* const below = top < last ? &between : nullptr;
-    parallelRanges(static_cast<std::size_t>(source.heightOf(top)), kStripsPerTask,
-                   [&](std::size_t first, std::size_t end) {
-                       Strip(source, levels, nullptr, top, below).write(static_cast<int>(first), static_cast<int>(end));
-                   });
-    if (below)
-        Strip(source, levels, below, last, nullptr).write(0, source.heightOf(last));
+    std::vector<MeanRows> between(sources.size(), {.level = top, .texels = {}});
+    for (MeanRows& means : between)
+        if (top < last)
+            means.texels.resize(static_cast<std::size_t>(any.widthOf(top)) *
+                                static_cast<std::size_t>(any.heightOf(top)));
+    const auto below = [&](std::size_t i) { return top < last ? &between[i] : nullptr; };
+    const std::size_t strips = sources.size() > 1 ? 1 : kStripsPerTask; // texels stay in the cache from part to part
+    parallelRanges(static_cast<std::size_t>(any.heightOf(top)), strips, [&](std::size_t first, std::size_t end) {
+        for (std::size_t i = 0; i < sources.size(); ++i)
+            Strip(sources[i], levels, nullptr, top, below(i)).write(static_cast<int>(first), static_cast<int>(end));
+    });
+    for (std::size_t i = 0; i < sources.size() && top < last; ++i)
+        Strip(sources[i], levels, below(i), last, nullptr).write(0, any.heightOf(last));
 }
 
 const std::byte* rowOf(const TextureImage& image, int y)
@@ -249,6 +253,18 @@ void gatherChannel(const TextureImage* image, std::size_t from, int y, TexelForm
         gatherCodes<Word, Word>(row, from, width, to, texels);
 }
 
+/// Rows of what `pictures` put together; they must outlive it.
+CodeRows gatheredRows(const ChannelPictures& pictures, TexelFormat format)
+{
+    const auto width = static_cast<std::size_t>(pictures.any().width);
+    return [&pictures, format, width](int y, std::byte* scratch) {
+        for (std::size_t c = 0; c < pictures.images.size(); ++c)
+            gatherChannel(pictures.images[c], static_cast<std::size_t>(pictures.channels[c]), y, format, width, c,
+                          scratch);
+        return static_cast<const std::byte*>(scratch);
+    };
+}
+
 } // namespace
 
 TexelStorage storageOf(TexelFormat format, const MipRule& rule)
@@ -265,7 +281,13 @@ void writeLevels(const TextureImage& image, const MipRule& rule, std::span<const
             unitNormals(image.format, rowOf(image, y), width, scratch);
             return static_cast<const std::byte*>(scratch);
         };
-    write({image.width, image.height, texelCodec(image.format, rule), std::move(row)}, levels);
+    const Source source = {image.width, image.height, texelCodec(image.format, rule), std::move(row)};
+    write({&source, 1}, levels);
+}
+
+bool ChannelPictures::empty() const
+{
+    return std::ranges::all_of(images, [](const TextureImage* image) { return image == nullptr; });
 }
 
 const TextureImage& ChannelPictures::any() const
@@ -285,14 +307,21 @@ void writePackedLevels(const ChannelPictures& pictures, const MipRule& rule, std
     assert(!rule.lengthInAlpha);
     const TextureImage& any = pictures.any();
     const TexelFormat format = pictures.format();
-    const auto width = static_cast<std::size_t>(any.width);
-    const CodeRows row = [&](int y, std::byte* scratch) {
-        for (std::size_t c = 0; c < pictures.images.size(); ++c)
-            gatherChannel(pictures.images[c], static_cast<std::size_t>(pictures.channels[c]), y, format, width, c,
-                          scratch);
-        return static_cast<const std::byte*>(scratch);
-    };
-    write({any.width, any.height, texelCodec(format, rule), row}, levels);
+    const Source source = {any.width, any.height, texelCodec(format, rule), gatheredRows(pictures, format)};
+    write({&source, 1}, levels);
+}
+
+void writeWordLevels(const std::array<ChannelPictures, 3>& parts, std::span<const LevelMemory> levels)
+{
+    std::vector<Source> sources;
+    for (std::size_t i = 0; i < parts.size(); ++i)
+        if (!parts[i].empty()) {
+            assert(parts[i].format() == TexelFormat::rgba8);
+            const TextureImage& any = parts[i].any();
+            sources.push_back({any.width, any.height, wordCodec(static_cast<WordPart>(i), sources.empty()),
+                               gatheredRows(parts[i], TexelFormat::rgba8)});
+        }
+    write(sources, levels);
 }
 
 } // namespace torrance

@@ -39,11 +39,16 @@ struct ChannelPictures
     std::array<const TextureImage*, 4> images{};
     std::array<int, 4> channels = {0, 1, 2, 3};
 
+    bool empty() const;
     const TextureImage& any() const;
     TexelFormat format() const;
 };
 
 /// As writeLevels() does with a picture that somebody has put together before.
 void writePackedLevels(const ChannelPictures& pictures, const MipRule& rule, std::span<const LevelMemory> levels);
+
+/// Texel words (shaders/shared/texel_words.h) of pictures of 8 bits and one size, each with three channels and a
+/// scalar: base colour and metallic, normal and roughness, emission and occlusion. What is null is not read.
+void writeWordLevels(const std::array<ChannelPictures, 3>& parts, std::span<const LevelMemory> levels);
 
 } // namespace torrance

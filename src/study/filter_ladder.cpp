@@ -15,7 +15,8 @@ using brdf::Method;
 using brdf::Slot;
 
 /// From cheap to near: one level of a texture is half the work of two, and a logarithm is more than none.
-constexpr std::array<std::string_view, 3> kFilters = {"nearest_level", "trilinear", "trilinear_exact"};
+constexpr std::array<std::string_view, 4> kFilters = {"nearest_level", "trilinear_words", "trilinear",
+                                                      "trilinear_exact"};
 
 bool readsTwoLevels(const Scene& scene, const Settings& settings)
 {

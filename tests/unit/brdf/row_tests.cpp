@@ -50,6 +50,8 @@ constexpr RowTest kRowTests[] = {
      "EveryFilterIsItsFormula"},
     {Slot::textureFilter, "nearest_level", "tests/image/texture_filters.cpp", "TextureFilters",
      "EveryFilterIsItsFormula"},
+    {Slot::textureFilter, "trilinear_words", "tests/image/texture_filters.cpp", "TextureFilters",
+     "WordsAreTheirTextures"},
     {Slot::specularAntialiasing, "toksvig", "tests/image/specular_antialiasing.cpp", "SpecularAntialiasing",
      "ToksvigCalmsAMinifiedNormalMap"},
     {Slot::specularAntialiasing, "tokuyoshi", "tests/image/specular_antialiasing.cpp", "SpecularAntialiasing",

@@ -9,7 +9,7 @@ namespace {
 
 TEST(TextureFilter, LevelsAreLogarithmsOfTheLongerStep)
 {
-    for (const auto& formula : {T_trilinear, T_trilinear_exact}) {
+    for (const auto& formula : {T_trilinear, T_trilinear_exact, T_trilinear_words}) {
         EXPECT_DOUBLE_EQ(formula({dvec2(1, 0), dvec2(0, 0.5)}), 0.0) << "a texel a pixel is the texture as it is";
         EXPECT_DOUBLE_EQ(formula({dvec2(3, 4), dvec2(0, 1)}), std::log2(5.0));
         EXPECT_DOUBLE_EQ(formula({dvec2(0.25, 0), dvec2(-6, 8)}), std::log2(10.0)) << "whichever axis is the longer";

@@ -38,9 +38,16 @@ struct Planned
     bool has(TextureRole role) const { return batch().textures[static_cast<std::size_t>(role)] >= 0; }
 };
 
-Planned planned(const Scene& scene)
+Settings withFilter(const char* filter)
 {
-    return {makePlan(scene, settings("standard"))};
+    Settings own = settings("standard");
+    own.methods.textureFilter = brdf::findMethod(brdf::Slot::textureFilter, filter);
+    return own;
+}
+
+Planned planned(const Scene& scene, const char* filter = "trilinear")
+{
+    return {makePlan(scene, withFilter(filter))};
 }
 
 TEST(TexturePlan, PutsScalarsIntoAlphasThatNothingReads)
@@ -65,7 +72,7 @@ TEST(TexturePlan, LeavesAnAlphaThatIsRead)
     const Planned p = planned(scene);
     EXPECT_EQ(p.texture(TextureRole::baseColor).channels[3], (ChannelSource{0, 3}));
     EXPECT_NE(p.key().metallic, ScalarPlace::baseColorAlpha);
-    Settings toksvig = settings("standard");
+    Settings toksvig = withFilter("trilinear");
     toksvig.methods.specularAntialiasing = brdf::findMethod(brdf::Slot::specularAntialiasing, "toksvig");
     EXPECT_NE(makePlan(fullScene(), toksvig).batches[0].key.roughness, ScalarPlace::normalAlpha);
 }
@@ -112,11 +119,87 @@ TEST(TexturePlan, UploadsATextureOnceThatTwoMaterialsRead)
     scene.materials[1].roughnessFactor = 0.5;
     scene.primitives.push_back(test::triangle(1));
     scene.instances.push_back({.primitive = 1});
-    const ShadingPlan plan = makePlan(scene, settings("standard"));
+    const ShadingPlan plan = makePlan(scene, withFilter("trilinear"));
     EXPECT_EQ(plan.textures.size(), 3u);
     ASSERT_EQ(plan.batches.size(), 1u);
     EXPECT_EQ(plan.batches[0].draws.size(), 2u);
     EXPECT_NE(plan.batches[0].draws[0].block, plan.batches[0].draws[1].block);
+}
+
+TEST(TexturePlan, PutsAllTexelsIntoWords)
+{
+    const Planned p = planned(fullScene(), "trilinear_words");
+    ASSERT_EQ(p.plan.textures.size(), 1u);
+    ASSERT_TRUE(p.has(TextureRole::words));
+    EXPECT_EQ(p.texture(TextureRole::words).words,
+              (WordChannels{
+                  {{0, 0}, {0, 1}, {0, 2}, {1, 2}, {2, 0}, {2, 1}, {2, 2}, {1, 1}, {4, 0}, {4, 1}, {4, 2}, {3, 0}}}));
+    EXPECT_EQ(p.texture(TextureRole::words).width, 2);
+    EXPECT_TRUE(p.key().words.used && p.key().baseColor.used && p.key().normal.used && p.key().emissive.used);
+    EXPECT_FALSE(p.key().material.used || p.key().occlusion.used);
+    for (const ScalarPlace place : {p.key().roughness, p.key().metallic, p.key().ambient})
+        EXPECT_EQ(place, ScalarPlace::words);
+}
+
+TEST(TexturePlan, WordsHoldOnlyWhatIsRead)
+{
+    Scene scene = fullScene();
+    scene.materials[0].occlusion = {};
+    scene.materials[0].metallicRoughness = addTexture(scene, {0, 51, 30, 0}, {0, 51, 70, 0}); // image 5
+    const Planned p = planned(scene, "trilinear_words");
+    ASSERT_TRUE(p.has(TextureRole::words));
+    const WordChannels& channels = *p.texture(TextureRole::words).words;
+    EXPECT_EQ(channels[3], (ChannelSource{5, 2}));
+    EXPECT_EQ(channels[7], ChannelSource{}) << "the roughness is a factor";
+    EXPECT_EQ(channels[11], ChannelSource{});
+    EXPECT_EQ(p.key().roughness, ScalarPlace::constant);
+    EXPECT_EQ(p.key().ambient, ScalarPlace::constant);
+}
+
+TEST(TexturePlan, WordsHoldWhatTheyCan)
+{
+    const auto refuses = [](const char* why, const auto& change) {
+        Scene scene = fullScene();
+        change(scene);
+        const Planned p = planned(scene, "trilinear_words");
+        EXPECT_FALSE(p.has(TextureRole::words)) << why;
+        const Planned plain = planned(scene);
+        EXPECT_EQ(p.key(), plain.key()) << why;
+        EXPECT_EQ(p.plan.textures, plain.plan.textures) << why;
+    };
+    refuses("two textures", [](Scene& s) { s.materials[0].emissive = s.materials[0].normal = {}; });
+    refuses("an alpha that is read", [](Scene& s) { s.materials[0].alphaMode = AlphaMode::mask; });
+    refuses("another place", [](Scene& s) { s.materials[0].normal.transform[0][0] = 2.0; });
+    refuses("another sampler", [](Scene& s) { s.textures[2].sampler.minify = Filter::nearest; });
+    refuses("what is not repeated", [](Scene& s) {
+        for (Texture& texture : s.textures)
+            texture.sampler.wrapT = Wrap::mirroredRepeat;
+    });
+    refuses("no levels", [](Scene& s) {
+        for (Texture& texture : s.textures)
+            texture.sampler.mip = MipFilter::none;
+    });
+    refuses("another size", [](Scene& s) { std::swap(s.images[4].width, s.images[4].height); });
+    refuses("more bits", [](Scene& s) {
+        s.images[0].format = TexelFormat::rgba16;
+        std::vector<std::byte> wide;
+        for (const std::byte code : s.images[0].texels)
+            wide.insert(wide.end(), 2, code);
+        s.images[0].texels = wide;
+    });
+    refuses("a place that the primitive has not", [](Scene& s) { s.materials[0].baseColor.uvSet = 1; });
+    Scene large = fullScene();
+    const std::vector<TexelFacts> facts = texelFacts(large);
+    for (const auto& [width, height, fits] : {std::tuple(8192, 8192, true), {8192, 8193, false}}) {
+        for (TextureImage& image : large.images) {
+            image.width = width;
+            image.height = height;
+        }
+        EXPECT_EQ(makePlan(large, facts, withFilter("trilinear_words")).batches[0].key.words.used, fits) << height;
+    }
+    Settings toksvig = withFilter("trilinear_words");
+    toksvig.methods.specularAntialiasing = brdf::findMethod(brdf::Slot::specularAntialiasing, "toksvig");
+    EXPECT_FALSE(makePlan(fullScene(), toksvig).batches[0].key.words.used) << "lengths of normals";
 }
 
 TEST(TexturePlan, FoldsAConstantChannelBesideOneThatVaries)

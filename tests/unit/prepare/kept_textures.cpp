@@ -98,6 +98,7 @@ TEST_F(KeptTexturesTest, TheKeyIsOfAllThatLevelsAreMadeFrom)
     differs([](PlannedTexture& t) { t.sampler.mip = MipFilter::none; });
     differs([](PlannedTexture& t) { t.channels[1].channel = 1; });
     differs([](PlannedTexture& t) { std::swap(t.channels[0], t.channels[1]); });
+    differs([](PlannedTexture& t) { t.words = WordChannels{{{0, 0}, {1, 2}}}; });
     differs([](PlannedTexture& t) { t.width = 32; });
     differs([](PlannedTexture& t) { t.height = 64; });
     PlannedTexture sampledOtherwise = texture;

@@ -3,7 +3,15 @@
 #include "level_bytes.h"
 #include "slow_levels.h"
 
+#include "image/srgb.h"
+
+#include <array>
+#include <cmath>
+#include <cstring>
 #include <gtest/gtest.h>
+#include <span>
+#include <utility>
+#include <vector>
 
 namespace torrance {
 namespace {
@@ -158,6 +166,118 @@ TEST(PackedLevels, AreThoseOfAPictureThatWasPutTogether)
                 levelBytes(together, rule))
                 << width << "x" << height;
         }
+}
+
+/// A field of texel words as shaders/shared/texel_words.h describes it: its word, its lowest bit, its bits, and what
+/// stands for 1.
+struct Field
+{
+    std::size_t part, channel; // of ChannelPictures
+    std::size_t word;
+    unsigned lowest, bits;
+    double one;
+};
+constexpr Field kFields[] = {{0, 0, 0, 0, 11, 2047},  {0, 1, 0, 11, 11, 2047}, {0, 2, 1, 0, 11, 2047},
+                             {0, 3, 2, 24, 8, 255},   {1, 0, 2, 0, 12, 4080},  {1, 1, 2, 12, 12, 4080},
+                             {1, 2, 3, 0, 12, 4080},  {1, 3, 0, 22, 10, 1020}, {2, 0, 1, 11, 11, 2047},
+                             {2, 1, 3, 12, 11, 2047}, {2, 2, 1, 22, 10, 1023}, {2, 3, 3, 23, 9, 510}};
+
+/// Of a half float that is not negative, and finite.
+double halfValue(std::uint16_t bits)
+{
+    const int exponent = bits >> 10, fraction = bits & 0x3ff;
+    return exponent > 0 ? std::ldexp(0x400 + fraction, exponent - 25) : std::ldexp(fraction, -24);
+}
+
+/// What a field stands for: of colours the square root.
+double fieldAt(const std::vector<std::byte>& level, std::size_t texel, const Field& field)
+{
+    std::uint32_t word = 0;
+    std::memcpy(&word, level.data() + 16 * texel + 4 * field.word, sizeof word);
+    return ((word >> field.lowest) & ((1u << field.bits) - 1u)) / field.one;
+}
+
+/// Three parts of four pictures each, and their levels as texel words and as three textures.
+struct WordCase
+{
+    std::array<std::array<TextureImage, 4>, 3> images;
+    std::array<ChannelPictures, 3> parts;
+    std::vector<std::vector<std::byte>> words;
+    std::array<std::vector<std::vector<std::byte>>, 3> apart;
+
+    WordCase(int width, int height, const std::array<bool, 3>& read)
+    {
+        for (std::size_t p = 0; p < 3; ++p)
+            for (std::size_t c = 0; c < 4; ++c) {
+                images[p][c] = noise(width, height, rgba8);
+                for (std::byte& byte : images[p][c].texels)
+                    byte ^= static_cast<std::byte>((4 * p + c) * 37);
+                parts[p].images[c] = read[p] ? &images[p][c] : nullptr;
+                parts[p].channels[c] = static_cast<int>((p + c) % 4);
+            }
+        const int count = mipCount(width, height);
+        words = levelBytes(width, height, count, TexelStorage::words,
+                           [&](std::span<const LevelMemory> levels) { writeWordLevels(parts, levels); });
+        for (std::size_t p = 0; p < 3; ++p) {
+            const MipRule rule = {.content = p == 1 ? normal : color};
+            if (read[p])
+                apart[p] =
+                    levelBytes(width, height, count, storageOf(rgba8, rule),
+                               [&](std::span<const LevelMemory> levels) { writePackedLevels(parts[p], rule, levels); });
+        }
+    }
+};
+
+constexpr std::pair<int, int> kWordSizes[] = {{1, 1}, {6, 4}, {7, 5}, {90, 70}, {256, 128}};
+
+TEST(WordLevels, HoldTheCodesOfTheFile)
+{
+    for (const auto& [width, height] : kWordSizes) {
+        const WordCase c(width, height, {true, true, true});
+        for (std::size_t i = 0; i < static_cast<std::size_t>(width * height); ++i)
+            for (const Field& field : kFields) {
+                const auto from = static_cast<std::size_t>(c.parts[field.part].channels[field.channel]);
+                const double code =
+                    std::to_integer<int>(c.images[field.part][field.channel].texels[4 * i + from]) / 255.0;
+                const double value = fieldAt(c.words[0], i, field);
+                if (field.part != 1 && field.channel < 3) // half a step of square roots
+                    ASSERT_NEAR(value, std::sqrt(srgbDecode(code)), 0.5001 / field.one);
+                else
+                    ASSERT_EQ(value, code) << field.part << ", " << field.channel;
+            }
+    }
+}
+
+// Of textures apart, halves of colours and scalars are off by 2^-12 of them, normals by half a step of 16 bits.
+TEST(WordLevels, AreThoseOfTexturesApart)
+{
+    for (const auto& [width, height] : kWordSizes) {
+        const WordCase c(width, height, {true, true, true});
+        for (std::size_t level = 1; level < c.words.size(); ++level)
+            for (std::size_t i = 0; i < c.words[level].size() / 16; ++i)
+                for (const Field& field : kFields) {
+                    std::uint16_t bits = 0;
+                    std::memcpy(&bits, c.apart[field.part][level].data() + 8 * i + 2 * field.channel, sizeof bits);
+                    const double apart = field.part == 1 ? bits / 65535.0 : halfValue(bits);
+                    const bool root = field.part != 1 && field.channel < 3;
+                    ASSERT_NEAR(fieldAt(c.words[level], i, field), root ? std::sqrt(apart) : apart,
+                                0.5 / field.one + 0x1p-12)
+                        << "level " << level << ", " << field.part << ", " << field.channel;
+                }
+    }
+}
+
+TEST(WordLevels, LeaveTheFieldsOfWhatIsNotThereEmpty)
+{
+    for (const std::array<bool, 3> read : {std::array{true, false, false}, {false, true, true}, {true, false, true}}) {
+        const WordCase c(12, 7, read);
+        const WordCase whole(12, 7, {true, true, true});
+        for (std::size_t level = 0; level < c.words.size(); ++level)
+            for (std::size_t i = 0; i < c.words[level].size() / 16; ++i)
+                for (const Field& field : kFields)
+                    ASSERT_EQ(fieldAt(c.words[level], i, field),
+                              read[field.part] ? fieldAt(whole.words[level], i, field) : 0.0);
+    }
 }
 
 } // namespace

@@ -47,7 +47,7 @@ TEST(GrowthScenes, HaveTheSizesTheySay)
         EXPECT_EQ(texelCount(scene), size);
         const ShadingPlan plan = makePlan(scene, settings());
         ASSERT_EQ(plan.batches.size(), 1u);
-        const TextureSet used = {0, -1, -1, -1, -1};
+        const TextureSet used = {0, -1, -1, -1, -1, -1};
         EXPECT_EQ(plan.batches[0].textures, used) << "the map is not taken for a constant";
     }
     for (const double size : series("pixels").sizes) {

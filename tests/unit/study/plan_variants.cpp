@@ -41,7 +41,7 @@ TEST(PlanVariants, SlotsAreVariedWhereTheSceneHasWhatTheyAreAbout)
     EXPECT_EQ(ofSlot(scene, Slot::areaLight), 0u);
     EXPECT_EQ(ofSlot(scene, Slot::model), 0u);
     scene.textures.emplace_back();
-    EXPECT_EQ(ofSlot(scene, Slot::textureFilter), 2u) << "all but the one that is drawn anyway";
+    EXPECT_EQ(ofSlot(scene, Slot::textureFilter), 3u) << "all but the one that is drawn anyway";
     scene.lights.back().kind = Light::Kind::point;
     scene.lights.back().radius = 0.1;
     EXPECT_EQ(ofSlot(scene, Slot::areaLight), 2u);
