@@ -14,8 +14,8 @@ struct WordPlace
 WordPlace wordPlace(vec2 uv, ivec2 size)
 {
     vec2 place = (uv - floor(uv)) * vec2(size) - 0.5;
-    vec2 corner = floor(place);
-    ivec2 first = ivec2(corner); // -1 to size - 1
+    vec2 corner = clamp(floor(place), vec2(-1.0), vec2(size) - 1.0); // also of what is no number: nothing beyond the sides is fetched
+    ivec2 first = ivec2(corner);
     ivec2 next = first + 1;
     return WordPlace(ivec2(first.x < 0 ? size.x - 1 : first.x, first.y < 0 ? size.y - 1 : first.y),
                      ivec2(next.x < size.x ? next.x : 0, next.y < size.y ? next.y : 0), place - corner);
