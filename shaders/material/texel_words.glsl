@@ -1,5 +1,5 @@
 // Textures of a material whose texels lie together as words: shared/texel_words.h. They are filtered here, linearly between texels and
-// levels: a software rasterizer then fetches a texel of all of them at once, where it would work out and fetch each by itself.
+// levels (ONE_LEVEL: on the nearer of two): a software rasterizer then fetches a texel of all of them at once, where it would work out and fetch each by itself.
 #include "shared/texel_words.h"
 
 layout(set = 0, binding = kBindTexelWords) uniform usampler2D wordsTexture;
@@ -85,10 +85,14 @@ Texels readWords(vec2 uv, float level)
     ivec2 size = textureSize(wordsTexture, 0);
     float last = float(textureQueryLevels(wordsTexture) - 1);
     float within = clamp(level, 0.0, last);
-    float finer = floor(within), coarser = min(finer + 1.0, last);
     WordSums sums = WordSums(vec3(0.0), vec3(0.0), vec3(0.0), vec3(0.0));
+#ifdef ONE_LEVEL
+    addLevel(sums, 1.0, uv, int(ceil(within - 0.5)), size);
+#else
+    float finer = floor(within), coarser = min(finer + 1.0, last);
     addLevel(sums, 1.0 - (within - finer), uv, int(finer), size);
     addLevel(sums, within - finer, uv, int(coarser), size);
+#endif
 
     const vec3 kBaseColor = vec3(kColorField, kColorField << kColorBits, kColorField);
     const vec3 kNormal = vec3(kNormalField, kNormalField << kNormalBits, kNormalField);

@@ -639,7 +639,7 @@ constexpr Method kMethods[] = {
     {.slot = Slot::textureFilter,
      .id = "nearest_level",
      .citation = "Williams 1983, Pyramidal Parametrics, without the mean of two levels",
-     .approximates = "trilinear_exact, by the nearer of two levels",
+     .approximates = "trilinear_exact, by the nearer of two levels, of the texels of trilinear_words",
      .domain = {.text = "all; levels meet in visible steps"},
      .reciprocal = true,
      .formula = LevelFormula(&T_nearest_level)},

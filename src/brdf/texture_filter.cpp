@@ -32,7 +32,12 @@ bool computesLevel(const Preset& methods)
 
 bool readsWords(const Preset& methods)
 {
-    return methods.textureFilter->id == "trilinear_words";
+    return methods.textureFilter->id == "trilinear_words" || readsOneLevel(methods);
+}
+
+bool readsOneLevel(const Preset& methods)
+{
+    return methods.textureFilter->id == "nearest_level";
 }
 
 } // namespace torrance::brdf

@@ -20,5 +20,7 @@ double T_nearest_level(const TexelFootprint& footprint);
 bool computesLevel(const Preset& methods);
 /// Texels of several textures lie together where they can.
 bool readsWords(const Preset& methods);
+/// Of two levels the nearer alone is read.
+bool readsOneLevel(const Preset& methods);
 
 } // namespace torrance::brdf

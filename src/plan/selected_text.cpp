@@ -110,6 +110,7 @@ void defineAntialiasing(std::string& text, const brdf::Preset& methods, bool nor
 void defineFilter(std::string& text, const brdf::Preset& methods, const ShaderKey& key)
 {
     define(text, "EXACT_LEVEL", brdf::computesLevel(methods) && (key.usesUv(0) || key.usesUv(1)));
+    define(text, "ONE_LEVEL", brdf::readsOneLevel(methods) && key.words.used);
 }
 
 const char* surfaceMacro(SurfaceKind kind)

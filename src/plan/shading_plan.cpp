@@ -127,7 +127,7 @@ std::pair<ShaderKey, TextureSet> Planner::keyOf(const PlannedMaterial& planned, 
         key.compensates = planned.compensates;
     }
     needs.words = brdf::readsWords(plan.settings.methods);
-    needs.nearestLevel = plan.settings.methods.textureFilter->id == "nearest_level";
+    needs.nearestLevel = brdf::readsOneLevel(plan.settings.methods);
     const RoleTextures textures = planTextures(scene, m, needs, key);
     TextureSet set;
     std::ranges::transform(textures, set.begin(), [&](const auto& t) { return t ? textureIndex(*t) : -1; });

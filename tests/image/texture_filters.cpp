@@ -130,7 +130,7 @@ TEST(TextureFilters, EveryFilterIsItsFormula)
 }
 
 /// Sides that are no powers of two, read a few times over by a place of its own.
-Scene tiltedMaterial(double repeats)
+Scene tiltedMaterial(double repeats, dvec2 offset = dvec2(-0.7, 0.3))
 {
     Scene scene;
     Material material = plainMaterial(dvec3(0.9, 0.8, 0.7), 0.9, 0.8);
@@ -153,7 +153,7 @@ Scene tiltedMaterial(double repeats)
     material.emissive.texture = texture(0.0, 1.0);
     for (TextureUse* use :
          {&material.baseColor, &material.metallicRoughness, &material.normal, &material.occlusion, &material.emissive})
-        use->transform = glm::dmat3x2(repeats, 0.0, 0.0, -repeats, -0.7, 0.3);
+        use->transform = glm::dmat3x2(repeats, 0.0, 0.0, -repeats, offset.x, offset.y);
     scene.materials.push_back(material);
     addInstance(scene, square(0), dmat4(1.0));
     scene.lights = {{.name = "lamp", .intensity = 3.0, .direction = glm::normalize(dvec3(0.3, 0.2, -1.0))}};
@@ -214,6 +214,31 @@ TEST(TextureFilters, WordsAreReadAlikeOnAllPaths)
                 EXPECT_LT(difference, 1e-3 * light)
                     << nameOf(path) << ", " << samples << " samples, read " << repeats << " times";
             }
+    }
+}
+
+// Away from the sides what is mirrored there is read as what is repeated, and is not read as words. The device's own
+// level is off by kLevelSlack at most to either side: there another one may be the nearer.
+TEST(TextureFilters, WordsOfTheNearerLevelAreTheirTextures)
+{
+    Scene scene = tiltedMaterial(0.8, dvec2(0.1, 0.9));
+    Scene apart = scene;
+    for (Texture& texture : apart.textures)
+        texture.sampler.wrapS = texture.sampler.wrapT = Wrap::mirroredRepeat;
+    for (const RenderPath path : {RenderPath::forward, RenderPath::attributes}) {
+        const Settings settings = filterSettings("nearest_level", path);
+        ASSERT_TRUE(makePlan(scene, settings).batches[0].key.words.used);
+        ASSERT_FALSE(makePlan(apart, settings).batches[0].key.words.used);
+        const Picture words = draw(scene, lowCamera(), settings), other = draw(apart, lowCamera(), settings);
+        int compared = 0, differing = 0;
+        for (int y = 0; y < kSize; ++y)
+            for (int x = 0; x < kSize; ++x) {
+                const dvec4 a = pixelOf(words, x, y), b = pixelOf(other, x, y);
+                compared += b.a > 0.0;
+                differing += glm::length(a - b) > 0.01 * glm::length(b);
+            }
+        EXPECT_GT(compared, 800);
+        EXPECT_LT(differing, 2.0 * kLevelSlack * compared) << nameOf(path);
     }
 }
 

@@ -129,6 +129,7 @@ TEST(TexturePlan, UploadsATextureOnceThatTwoMaterialsRead)
 TEST(TexturePlan, PutsAllTexelsIntoWords)
 {
     const Planned p = planned(fullScene(), "trilinear_words");
+    EXPECT_EQ(planned(fullScene(), "nearest_level").plan.textures, p.plan.textures);
     ASSERT_EQ(p.plan.textures.size(), 1u);
     ASSERT_TRUE(p.has(TextureRole::words));
     EXPECT_EQ(p.texture(TextureRole::words).words,
