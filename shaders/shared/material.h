@@ -34,7 +34,7 @@ struct Material
     vec4 levels;          // what the level that is kept differs by for base colour, scalars, normal, emissive
     float occlusionLevel; // and for occlusion
 
-    float wordsLevel; // what is added to the level at which texel words are read
+    float wordsLevel; // added to the level of texel words: they are read through no sampler, which adds its bias to others'
 };
 
 // As many as are shaded in one go: 64 KiB hold more, a uniform block's limit.

@@ -12,20 +12,20 @@
 SHARED_BEGIN
 
 // The greatest value of a field, which stands for 1, and the bits that it takes.
-SHARED_UINT(kColorField, 2047);    // 11 bits
-SHARED_UINT(kBlueField, 1023);     // 10 bits: blue of the emission
-SHARED_UINT(kNormalField, 4080);   // 12 bits: 16 * 255
-SHARED_UINT(kRoughnessField, 1020); // 10 bits: 4 * 255
-SHARED_UINT(kMetallicField, 255);  // 8 bits
-SHARED_UINT(kOcclusionField, 510); // 9 bits: 2 * 255
+SHARED_UINT(kColorField, 2047);        // 11 bits
+SHARED_UINT(kBlueField, 1023);         // 10 bits: blue of the emission
+SHARED_UINT(kNormalField, 16 * 255);   // 12 bits
+SHARED_UINT(kRoughnessField, 4 * 255); // 10 bits
+SHARED_UINT(kMetallicField, 255);      // 8 bits
+SHARED_UINT(kOcclusionField, 2 * 255); // 9 bits
 
 SHARED_UINT(kColorBits, 11);
 SHARED_UINT(kNormalBits, 12);
-SHARED_UINT(kRoughnessShift, 22); // of word 0
-SHARED_UINT(kBlueShift, 22);      // of word 1
-SHARED_UINT(kMetallicShift, 24);  // of word 2
-SHARED_UINT(kGreenShift, 12);     // of word 3: the emission's
-SHARED_UINT(kOcclusionShift, 23); // of word 3
+SHARED_UINT(kRoughnessShift, 2u * kColorBits);           // of word 0
+SHARED_UINT(kBlueShift, 2u * kColorBits);                // of word 1
+SHARED_UINT(kMetallicShift, 2u * kNormalBits);           // of word 2
+SHARED_UINT(kGreenShift, kNormalBits);                   // of word 3: the emission's
+SHARED_UINT(kOcclusionShift, kNormalBits + kColorBits); // of word 3
 
 SHARED_END
 

@@ -66,8 +66,6 @@ shared::UvTransform uvTransform(const TextureUse& use)
 void setLevels(shared::Material& material, const ShadingPlan& plan, const TextureSet& textures,
                std::span<const int> finestLevels)
 {
-    // Texels that the shader reads one by one go through no sampler, which would add it.
-    material.wordsLevel = static_cast<float>(levelBias(plan.settings));
     const std::optional<TextureRole> kept = levelRole(plan, textures);
     if (!kept)
         return;
@@ -182,7 +180,7 @@ std::vector<shared::Material> makeMaterials(const ShadingPlan& plan, std::span<c
                                    .slot = static_cast<std::uint32_t>(block.slot),
                                    .levels = vec4(0.0f),
                                    .occlusionLevel = 0.0f,
-                                   .wordsLevel = 0.0f};
+                                   .wordsLevel = static_cast<float>(levelBias(plan.settings))};
         setLevels(result, plan, block.textures, finestLevels);
         materials.push_back(result);
     }

@@ -22,12 +22,10 @@ vk::Format formatOf(TexelStorage storage)
     return kFormats[static_cast<std::size_t>(storage)];
 }
 
-/// Four channels each, of texel words three.
-using Parts = std::array<ChannelPictures, 3>;
-
-Parts partsOf(const Scene& scene, const PlannedTexture& texture)
+/// Of what is no texel words the first alone.
+WordPictures partsOf(const Scene& scene, const PlannedTexture& texture)
 {
-    Parts parts;
+    WordPictures parts;
     const std::span<const ChannelSource> sources = sourcesOf(texture);
     for (std::size_t i = 0; i < sources.size(); ++i) {
         ChannelPictures& pictures = parts[i / 4];
@@ -38,7 +36,7 @@ Parts partsOf(const Scene& scene, const PlannedTexture& texture)
     return parts;
 }
 
-const TextureImage& anyOf(const Parts& parts)
+const TextureImage& anyOf(const WordPictures& parts)
 {
     return std::ranges::find_if(parts, [](const ChannelPictures& p) { return !p.empty(); })->any();
 }
@@ -63,7 +61,7 @@ std::array<bool, 4> channelsRead(const PlannedTexture& texture)
     return read;
 }
 
-bool hasTexels(const Parts& parts)
+bool hasTexels(const WordPictures& parts)
 {
     return std::ranges::none_of(parts, [](const ChannelPictures& pictures) {
         return std::ranges::any_of(pictures.images,
@@ -75,7 +73,7 @@ bool hasTexels(const Parts& parts)
 struct TextureTask
 {
     const PlannedTexture& texture;
-    Parts pictures;
+    WordPictures pictures;
     MipRule rule = {};
     std::size_t texelBytes = 0;
     std::size_t missing = 0; // levels that are no one's, before those of the image

@@ -46,18 +46,6 @@ struct TexelCodec
 /// For texels as they come from the file; with MipRule::lengthInAlpha for those of unitNormals().
 const TexelCodec& texelCodec(TexelFormat format, const MipRule& rule);
 
-/// Which four channels of texel words: color and metallic, normal and roughness, emission and occlusion.
-enum class WordPart
-{
-    baseColor,
-    normal,
-    emissive,
-};
-
-/// For texels of 8 bits. Of a texture's parts the first to write a texel sets its words, and the others add their
-/// fields. Means of scalars and normals are rounded to the fields' steps.
-const TexelCodec& wordCodec(WordPart part, bool first);
-
 /// Normals of a file in 16 bits a channel, unit, with an alpha of 1, their length: where the lengths of means matter, 8
 /// bits would round those near 1 by more than they differ.
 void unitNormals(TexelFormat format, const std::byte* codes, std::size_t count, std::byte* wide);

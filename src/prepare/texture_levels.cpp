@@ -1,6 +1,7 @@
 #include "prepare/texture_levels.h"
 
 #include "core/parallel.h"
+#include "prepare/word_codec.h"
 
 #include <algorithm>
 #include <array>
@@ -311,7 +312,7 @@ void writePackedLevels(const ChannelPictures& pictures, const MipRule& rule, std
     write({&source, 1}, levels);
 }
 
-void writeWordLevels(const std::array<ChannelPictures, 3>& parts, std::span<const LevelMemory> levels)
+void writeWordLevels(const WordPictures& parts, std::span<const LevelMemory> levels)
 {
     std::vector<Source> sources;
     for (std::size_t i = 0; i < parts.size(); ++i)

@@ -47,8 +47,11 @@ struct ChannelPictures
 /// As writeLevels() does with a picture that somebody has put together before.
 void writePackedLevels(const ChannelPictures& pictures, const MipRule& rule, std::span<const LevelMemory> levels);
 
+/// Of texel words, by WordPart (word_codec.h).
+using WordPictures = std::array<ChannelPictures, 3>;
+
 /// Texel words (shaders/shared/texel_words.h) of pictures of 8 bits and one size, each with three channels and a
 /// scalar: base colour and metallic, normal and roughness, emission and occlusion. What is null is not read.
-void writeWordLevels(const std::array<ChannelPictures, 3>& parts, std::span<const LevelMemory> levels);
+void writeWordLevels(const WordPictures& parts, std::span<const LevelMemory> levels);
 
 } // namespace torrance

@@ -201,7 +201,7 @@ double fieldAt(const std::vector<std::byte>& level, std::size_t texel, const Fie
 struct WordCase
 {
     std::array<std::array<TextureImage, 4>, 3> images;
-    std::array<ChannelPictures, 3> parts;
+    WordPictures parts;
     std::vector<std::vector<std::byte>> words;
     std::array<std::vector<std::vector<std::byte>>, 3> apart;
 
