@@ -201,7 +201,7 @@ void describeCertified(Session& session, const std::string& input, const std::st
     certified.picture.device = session.device.description.name;
     certified.picture.driver = session.device.description.driverVersion;
     if (drawn.tolerance) {
-        certified.picture.arguments = argumentsFound(std::move(certified.picture.arguments), drawn.tolerance->plan);
+        certified.picture.arguments = argumentsFound(std::move(certified.picture.arguments), *drawn.tolerance);
         certified.picture.tolerance = toleranceJson(*drawn.tolerance, session.table->hash);
     }
 }

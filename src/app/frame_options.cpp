@@ -1,5 +1,6 @@
 #include "app/frame_options.h"
 
+#include "app/material_method_option.h"
 #include "app/option_value.h"
 #include "brdf/environment.h"
 #include "core/error.h"
@@ -11,7 +12,6 @@ namespace torrance {
 namespace {
 
 constexpr int kMaxSamples = 4096;
-constexpr int kMaxDirections = 65536; // seconds per picture of a thumbnail
 
 bool isReconstructed(const FrameOptions& o)
 {
@@ -71,11 +71,12 @@ void declareFrameOptions(CLI::App& app, FrameOptions& o)
            "--environment-samples", o.environmentSamples,
            "Directions per pixel and picture of the environment_specular methods that draw samples (default 64)")
         ->group("Methods")
-        ->check(CLI::Range(1, kMaxDirections));
+        ->check(CLI::Range(1, kMostLightDirections));
     app.add_option("--light-samples", o.lightSamples,
                    "Directions per pixel, picture and light of --area-light sampled (default 64)")
         ->group("Methods")
-        ->check(CLI::Range(1, kMaxDirections));
+        ->check(CLI::Range(1, kMostLightDirections));
+    declareMaterialMethodOption(app, o.ofMaterials);
 }
 
 Settings frameSettings(const FrameOptions& o, bool layers)
@@ -95,18 +96,20 @@ Settings frameSettings(const FrameOptions& o, bool layers)
         throw usageError("--light-samples is for --area-light sampled, and the method is " +
                              std::string(methods.areaLight->id),
                          "choose it, or leave the number out");
-    return {.methods = methods,
-            .width = size.x,
-            .height = size.y,
-            .samples = o.samples,
-            .environmentSamples = o.environmentSamples.value_or(Settings().environmentSamples),
-            .lightSamples = o.lightSamples.value_or(Settings().lightSamples),
-            .background = background.kind,
-            .backgroundColor = background.color,
-            .backgroundBlur = o.backgroundBlur.value_or(0.0),
-            .path = pathOf(o.path),
-            .triangleCulling = cullingOf(o.triangleCulling),
-            .layers = layers};
+    Settings settings = {.methods = methods,
+                         .width = size.x,
+                         .height = size.y,
+                         .samples = o.samples,
+                         .environmentSamples = o.environmentSamples.value_or(Settings().environmentSamples),
+                         .lightSamples = o.lightSamples.value_or(Settings().lightSamples),
+                         .background = background.kind,
+                         .backgroundColor = background.color,
+                         .backgroundBlur = o.backgroundBlur.value_or(0.0),
+                         .path = pathOf(o.path),
+                         .triangleCulling = cullingOf(o.triangleCulling),
+                         .layers = layers};
+    settings.ofMaterials = chosenMaterialMethods(o.ofMaterials, settings);
+    return settings;
 }
 
 } // namespace torrance

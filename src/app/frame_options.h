@@ -7,6 +7,7 @@
 
 #include <optional>
 #include <string>
+#include <vector>
 
 namespace CLI {
 class App;
@@ -24,10 +25,11 @@ struct FrameOptions
     MethodOptions methods;
     std::optional<int> environmentSamples;
     std::optional<int> lightSamples;
+    std::vector<std::string> ofMaterials; // material_method_option.h
 };
 
 /// The options of the picture, --background-blur, --samples, --path, --triangle-culling, those of the methods,
-/// --environment-samples and --light-samples.
+/// --environment-samples, --light-samples and --material-methods.
 void declareFrameOptions(CLI::App& app, FrameOptions& options);
 
 /// Error (usage) where a picture is too large for this machine, options contradict each other or have no effect.

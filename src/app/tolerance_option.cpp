@@ -25,7 +25,7 @@ double shareOf(const std::string& option, const std::string& text)
 
 bool isReplaced(const std::string& argument, const TolerancePlan& plan)
 {
-    for (const char* name : {"--tolerance", "--tolerance-p99", "--methods"})
+    for (const char* name : {"--tolerance", "--tolerance-p99", "--methods", "--material-methods"})
         if (argument == name || argument.starts_with(std::string(name) + "="))
             return true;
     return std::ranges::any_of(plan.ladders, [&](const MethodLadder& ladder) {
@@ -84,8 +84,9 @@ std::optional<Tolerance> chosenTolerance(const ToleranceOption& option)
     return tolerance;
 }
 
-std::vector<std::string> argumentsFound(std::vector<std::string> arguments, const TolerancePlan& plan)
+std::vector<std::string> argumentsFound(std::vector<std::string> arguments, const ToleranceResult& found)
 {
+    const TolerancePlan& plan = found.plan;
     std::erase_if(arguments, [&](const std::string& argument) { return isReplaced(argument, plan); });
     for (const MethodLadder& ladder : plan.ladders) {
         const Rung& rung = ladder.taken();
@@ -95,6 +96,8 @@ std::vector<std::string> argumentsFound(std::vector<std::string> arguments, cons
                 fmt::format("--{}={}", ladder.slot == brdf::Slot::areaLight ? "light-samples" : "environment-samples",
                             rung.samples));
     }
+    for (const auto& [material, own] : found.settings.ofMaterials)
+        arguments.push_back("--material-methods=" + materialMethodsText(material, own));
     return arguments;
 }
 
@@ -104,6 +107,7 @@ Json toleranceJson(const ToleranceResult& result, const std::string& tableHash)
     Json::Array trials;
     for (const ToleranceTrial& trial : result.trials)
         trials.emplace_back(Json::Object{{"methods", rungsJson(trial.rungs)},
+                                         {"cheaper_materials", Json::Array(trial.cheaper.begin(), trial.cheaper.end())},
                                          {"mean", boundedJson(trial.mean)},
                                          {"percentile_99", boundedJson(trial.percentile99)}});
     Json::Object object = {{"mean", tolerance.mean},

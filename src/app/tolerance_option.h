@@ -35,7 +35,7 @@ std::optional<Tolerance> chosenTolerance(const ToleranceOption& option);
 
 /// The options of the picture that was found, in place of the tolerance that it was found by: the same picture without
 /// a search.
-std::vector<std::string> argumentsFound(std::vector<std::string> arguments, const TolerancePlan& plan);
+std::vector<std::string> argumentsFound(std::vector<std::string> arguments, const ToleranceResult& found);
 
 Json toleranceJson(const ToleranceResult& result, const std::string& tableHash);
 

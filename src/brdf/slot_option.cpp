@@ -4,11 +4,16 @@
 
 namespace torrance::brdf {
 
-std::string slotOption(Slot slot)
+std::string slotWord(Slot slot)
 {
-    std::string name = "--" + std::string(slotName(slot));
+    std::string name(slotName(slot));
     std::ranges::replace(name, '_', '-');
     return name;
+}
+
+std::string slotOption(Slot slot)
+{
+    return "--" + slotWord(slot);
 }
 
 } // namespace torrance::brdf

@@ -7,6 +7,9 @@
 
 namespace torrance::brdf {
 
+/// Such as "environment-specular".
+std::string slotWord(Slot slot);
+
 /// Such as "--environment-specular".
 std::string slotOption(Slot slot);
 

@@ -54,7 +54,7 @@ ResolveForm resolveForm(const ShadingPlan& plan, const ShadingClass& shadingClas
                             .colorFormats = {kColorFormat},
                             .depthFormat = kDepthStencilFormat,
                             .stencil = gpu::StencilUse::equal,
-                            .constants = shadingConstants(plan)}};
+                            .constants = shadingConstants(plan, shadingClass.key)}};
 }
 
 gpu::Bindings resolveBindings(const FrameInputs& frame, std::size_t index, const AttributeTargets& targets,
@@ -62,7 +62,7 @@ gpu::Bindings resolveBindings(const FrameInputs& frame, std::size_t index, const
 {
     const ShadingPlan& plan = frame.scene.plan;
     const ShadingClass& shadingClass = plan.classes[index];
-    gpu::Bindings bindings = frame.bindings;
+    gpu::Bindings bindings = frame.bindingsOf(shadingClass.key);
     bindTextures(bindings, shadingClass.textures, *frame.scene.textures);
     if (shadingClass.blocks.size() < 2)
         frame.scene.materials.bind(bindings, static_cast<std::size_t>(shadingClass.blocks.front()));

@@ -15,9 +15,10 @@ std::vector<gpu::DeviceImage> makeGBuffer(const gpu::Device& device, int width, 
 
 LightingForm lightingForm(const ShadingPlan& plan, std::size_t lightingClass)
 {
-    std::vector<std::uint32_t> constants = shadingConstants(plan);
+    const ShaderKey& key = plan.lightingClasses[lightingClass];
+    std::vector<std::uint32_t> constants = shadingConstants(plan, key);
     constants.push_back(static_cast<std::uint32_t>(lightingClass));
-    return {.selected = selectedText(plan, plan.lightingClasses[lightingClass]),
+    return {.selected = selectedText(plan, key),
             .description = {.name = "lighting",
                             .colorFormats = {kColorFormat},
                             .depthFormat = kDepthFormat,

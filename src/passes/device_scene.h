@@ -8,6 +8,7 @@
 #include "plan/shading_plan.h"
 
 #include <memory>
+#include <vector>
 
 namespace torrance {
 
@@ -18,9 +19,9 @@ struct DeviceScene
     const ShadingPlan& plan;
     std::shared_ptr<const MeshBuffers> meshes; // these two outlast a plan that changes nothing of them
     std::shared_ptr<const Textures> textures;
-    EnvironmentImages environment;
-    gpu::UniformBlocks materials;      // by ShadingPlan::blocks
-    gpu::UniformBlocks classMaterials; // of the attributes path: attribute_pass.h
+    std::vector<EnvironmentImages> environments; // by ShadingPlan::choices
+    gpu::UniformBlocks materials;                // by ShadingPlan::blocks
+    gpu::UniformBlocks classMaterials;           // of the attributes path: attribute_pass.h
 };
 
 } // namespace torrance

@@ -28,7 +28,7 @@ gpu::PipelineDescription reconstructionDescription()
 gpu::Bindings edgeBindings(const FrameInputs& frame, const gpu::DeviceImage& color, const gpu::DeviceImage& depth,
                            const EdgeTargets& targets, const vk::raii::Sampler& sampler)
 {
-    gpu::Bindings bindings = frame.bindings;
+    gpu::Bindings bindings = frame.common();
     bindings.set(shared::kBindSource, color, sampler);
     bindings.set(shared::kBindDepth, depth, sampler);
     bindings.set(shared::kBindSampleDepth, targets.sampleDepth, sampler);

@@ -10,6 +10,7 @@
 #include "prepare/radiance_pyramid.h"
 
 #include <algorithm>
+#include <optional>
 
 namespace torrance {
 namespace {
@@ -144,22 +145,26 @@ void EnvironmentStore::addLight(EnvironmentImages& images, const Image& radiance
     }
 }
 
-EnvironmentImages EnvironmentStore::get(const Scene& scene, const ShadingPlan& plan)
+std::vector<EnvironmentImages> EnvironmentStore::get(const Scene& scene, const ShadingPlan& plan)
 {
     const std::lock_guard lock(mutex);
-    EnvironmentImages images;
+    EnvironmentImages all; // what all choices read
+    std::optional<ContentHash> known;
     if (plan.environmentLight || plan.panorama) {
         const Image& radiance = scene.environment->radiance;
-        const ContentHash content = panoramaContent(radiance);
-        if (plan.environmentLight)
-            addLight(images, radiance, content, plan.settings);
+        known = panoramaContent(radiance);
         if (plan.panorama && plan.settings.backgroundBlur > 0.0)
-            images.background = &lightCubes(radiance, content, splitSum()).specular;
+            all.background = &lightCubes(radiance, *known, splitSum()).specular;
         else if (plan.panorama)
-            images.panorama = &panorama(radiance, content);
+            all.panorama = &panorama(radiance, *known);
     }
-    if (plan.dfgTable)
-        images.dfg = albedoTable(plan.settings.methods);
+    std::vector<EnvironmentImages> images(plan.choices.size(), all);
+    for (std::size_t i = 0; i < images.size(); ++i) {
+        if (plan.environmentLight)
+            addLight(images[i], scene.environment->radiance, *known, plan.choices[i]);
+        if (plan.dfgTable)
+            images[i].dfg = albedoTable(plan.choices[i].methods);
+    }
     return images;
 }
 

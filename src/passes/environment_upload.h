@@ -17,10 +17,11 @@
 #include <string>
 #include <string_view>
 #include <tuple>
+#include <vector>
 
 namespace torrance {
 
-/// What one scene binds; null where its plan has no use for it. Owned by the store.
+/// What surfaces of one choice bind; null where there is no use for it. Owned by the store.
 struct EnvironmentImages
 {
     const gpu::DeviceImage* specular = nullptr; // cube, prefiltered chain
@@ -49,8 +50,8 @@ public:
     /// `cacheFolder` keeps prefiltered environments by their content; empty: they are made anew in every process.
     EnvironmentStore(const gpu::Device& device, const std::filesystem::path& cacheFolder);
 
-    /// From any thread.
-    EnvironmentImages get(const Scene& scene, const ShadingPlan& plan);
+    /// By ShadingPlan::choices. From any thread.
+    std::vector<EnvironmentImages> get(const Scene& scene, const ShadingPlan& plan);
 
 private:
     void addLight(EnvironmentImages& images, const Image& radiance, const ContentHash& content,

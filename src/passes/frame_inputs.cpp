@@ -19,9 +19,9 @@ std::span<const std::byte> bytesOf(const std::vector<T>& items)
     return std::as_bytes(std::span(items));
 }
 
-shared::Frame frameOf(const DeviceScene& scene, const Camera& camera, const dvec2& offset, int picture)
+shared::Frame frameOf(const DeviceScene& scene, const EnvironmentImages& environment, const Camera& camera,
+                      const dvec2& offset, int picture)
 {
-    const EnvironmentImages& environment = scene.environment;
     const int levels = environment.specular ? static_cast<int>(environment.specular->shape.mips) : 0;
     const int panoramaWidth = environment.panorama ? static_cast<int>(environment.panorama->shape.width) : 0;
     shared::Frame frame = makeFrame(scene.scene, scene.plan, camera, offset, levels, panoramaWidth);
@@ -47,11 +47,10 @@ std::vector<std::byte> frameBlock(const shared::Frame& frame, const std::vector<
     return block;
 }
 
-gpu::Bindings bindingsOf(const FrameInputs& frame, const FrameSamplers& samplers)
+gpu::Bindings bindingsOf(const gpu::Buffer& frame, const EnvironmentImages& environment, const FrameSamplers& samplers)
 {
     gpu::Bindings bindings;
-    bindings.set(shared::kBindFrame, frame.frame);
-    const EnvironmentImages& environment = frame.scene.environment;
+    bindings.set(shared::kBindFrame, frame);
     if (environment.specular)
         bindings.set(shared::kBindEnvironmentSpecular, *environment.specular, samplers.table);
     if (environment.diffuse)
@@ -76,36 +75,44 @@ FrameInputs makeFrameInputs(const gpu::Device& device, const DeviceScene& scene,
 {
     using Usage = vk::BufferUsageFlagBits;
     const dvec3 eye = cameraPosition(camera);
-    const shared::Frame common = frameOf(scene, camera, offset, picture);
     const std::vector<shared::Instance> instances = makeInstances(scene.plan, *scene.meshes, eye);
     const std::size_t shapeInstances = scene.scene.shapes.empty() ? 0 : instances.size();
-    FrameInputs frame = {
-        .scene = scene,
-        .camera = camera,
-        .frame = gpu::makeBuffer(device, frameBlock(common, makeLights(scene.plan, scene.environment.lampPoints, eye)),
-                                 Usage::eUniformBuffer, "frame"),
-        .instances = gpu::makeBuffer(device, bytesOf(instances), Usage::eVertexBuffer, "instances"),
-        .shapeInstances = gpu::makeUniformBlocks(device, shared::kBindInstance,
-                                                 std::span(instances).first(shapeInstances), "shape instances"),
-        .bindings = {},
-        .visible = culling.find(scene, camera, common, instances)};
-    frame.bindings = bindingsOf(frame, samplers);
+    FrameInputs frame = {.scene = scene,
+                         .camera = camera,
+                         .frames = {},
+                         .instances = gpu::makeBuffer(device, bytesOf(instances), Usage::eVertexBuffer, "instances"),
+                         .shapeInstances =
+                             gpu::makeUniformBlocks(device, shared::kBindInstance,
+                                                    std::span(instances).first(shapeInstances), "shape instances"),
+                         .bindings = {},
+                         .visible = nullptr};
+    for (const EnvironmentImages& environment : scene.environments) {
+        const shared::Frame own = frameOf(scene, environment, camera, offset, picture);
+        if (frame.frames.empty()) // where things are is the same in all
+            frame.visible = culling.find(scene, camera, own, instances);
+        frame.frames.push_back(gpu::makeBuffer(device,
+                                               frameBlock(own, makeLights(scene.plan, environment.lampPoints, eye)),
+                                               Usage::eUniformBuffer, "frame"));
+        frame.bindings.push_back(bindingsOf(frame.frames.back(), environment, samplers));
+    }
     return frame;
 }
 
 void useFrame(gpu::Commands& commands, const FrameInputs& frame)
 {
     std::vector<gpu::ImageUse> images = frame.scene.textures->uses();
-    const EnvironmentImages& e = frame.scene.environment;
-    for (const gpu::DeviceImage* image : {e.specular, e.diffuse, e.radiance, e.lamps, e.dfg, e.panorama, e.background})
-        if (image)
-            images.push_back(gpu::use(*image, gpu::Access::sampled));
-    std::vector<gpu::BufferUse> buffers = {gpu::use(frame.frame, gpu::Access::shaderRead),
-                                           gpu::use(frame.instances, gpu::Access::vertexRead),
+    for (const EnvironmentImages& e : frame.scene.environments)
+        for (const gpu::DeviceImage* image :
+             {e.specular, e.diffuse, e.radiance, e.lamps, e.dfg, e.panorama, e.background})
+            if (image)
+                images.push_back(gpu::use(*image, gpu::Access::sampled));
+    std::vector<gpu::BufferUse> buffers = {gpu::use(frame.instances, gpu::Access::vertexRead),
                                            gpu::use(frame.shapeInstances.buffer, gpu::Access::shaderRead),
                                            gpu::use(frame.scene.materials.buffer, gpu::Access::shaderRead),
                                            gpu::use(frame.scene.meshes->vertices, gpu::Access::vertexRead),
                                            gpu::use(frame.scene.meshes->indices, gpu::Access::vertexRead)};
+    for (const gpu::Buffer& block : frame.frames)
+        buffers.push_back(gpu::use(block, gpu::Access::shaderRead));
     if (frame.visible)
         buffers.push_back(gpu::use(frame.visible->indices, gpu::Access::vertexRead));
     commands.use(images, buffers);

@@ -5,18 +5,30 @@
 #include "passes/device_scene.h"
 #include "passes/triangle_culling.h"
 
+#include <span>
+#include <vector>
+
 namespace torrance {
 
 struct FrameInputs
 {
     const DeviceScene& scene;
     const Camera& camera;
-    gpu::Buffer frame;     // and kMaxLights lights behind it, whatever their number: so large is the shaders' block
-    gpu::Buffer instances; // shared::Instance by ShadingPlan::instances, a vertex shader's
+    /// By ShadingPlan::choices, with kMaxLights lights behind each, whatever their number: so large is the shaders'
+    /// block.
+    std::vector<gpu::Buffer> frames;
+    gpu::Buffer instances;                     // shared::Instance by ShadingPlan::instances, a vertex shader's
     gpu::UniformBlocks shapeInstances;         // the same, where there are analytic shapes
-    gpu::Bindings bindings;                    // all but those that change from draw to draw
+    std::vector<gpu::Bindings> bindings;       // by ShadingPlan::choices: all but those that change from draw to draw
     const VisibleTriangles* visible = nullptr; // the culling's; null: all triangles are drawn
     std::span<const PixelBox> only = {};       // surfaces are drawn in these boxes alone; none: everywhere
+
+    /// Of surfaces of this key, and of what is no surface.
+    const gpu::Bindings& bindingsOf(const ShaderKey& key) const
+    {
+        return bindings[static_cast<std::size_t>(key.choice)];
+    }
+    const gpu::Bindings& common() const { return bindings.front(); }
 };
 
 /// How the environment's pictures are read.

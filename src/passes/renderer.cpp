@@ -104,7 +104,7 @@ DeviceScene Renderer::assemble(const Scene& scene, const ShadingPlan& plan, std:
                        .plan = plan,
                        .meshes = std::move(meshes),
                        .textures = std::move(textures),
-                       .environment = environments.get(scene, plan),
+                       .environments = environments.get(scene, plan),
                        .materials =
                            gpu::makeUniformBlocks(device, shared::kBindMaterial, std::span(materials), "materials"),
                        .classMaterials = makeClassBlocks(device, plan, materials)};
@@ -162,12 +162,12 @@ void Renderer::drawBackground(gpu::Commands& commands, const FrameInputs& frame)
         return; // the target was cleared to it
     const bool attributes = frame.scene.plan.path == RenderPath::attributes;
     const gpu::Pipeline& pipeline =
-        imagePipeline("passes/background.frag", frame.scene.environment.background ? "#define BLURRED\n" : "",
+        imagePipeline("passes/background.frag", frame.scene.environments.front().background ? "#define BLURRED\n" : "",
                       {.name = "background",
                        .colorFormats = {kColorFormat},
                        .depthFormat = attributes ? kDepthStencilFormat : kDepthFormat,
                        .depth = gpu::DepthUse::equal});
-    drawFullscreen(commands, pipeline, frame.bindings);
+    drawFullscreen(commands, pipeline, frame.common());
 }
 
 FrameInputs Renderer::inputsOf(const DeviceScene& scene, const Camera& camera, const dvec2& offset, int picture)
@@ -237,9 +237,9 @@ void Renderer::drawGBuffer(gpu::Commands& commands, const FrameInputs& frame)
 void Renderer::drawLighting(gpu::Commands& commands, const FrameInputs& frame)
 {
     const ShadingPlan& plan = frame.scene.plan;
-    gpu::Bindings bindings = frame.bindings;
-    bindGBuffer(bindings, targets.gbuffer, pointSampler);
     for (std::size_t i = 0; i < plan.lightingClasses.size(); ++i) {
+        gpu::Bindings bindings = frame.bindingsOf(plan.lightingClasses[i]);
+        bindGBuffer(bindings, targets.gbuffer, pointSampler);
         const LightingForm form = lightingForm(plan, i);
         drawFullscreen(commands, imagePipeline("passes/lighting.frag", form.selected, form.description), bindings);
     }

@@ -119,7 +119,7 @@ OutputForm formOf(const ShadingPlan& plan, const ShaderKey& key, SurfaceOutput o
     case SurfaceOutput::colorAtDepth:
         break;
     }
-    return {plan.settings.view ? "passes/surface_view.frag" : "passes/surface.frag", 1, shadingConstants(plan)};
+    return {plan.settings.view ? "passes/surface_view.frag" : "passes/surface.frag", 1, shadingConstants(plan, key)};
 }
 
 // passes/surface.frag behind passes/surface.vert.
@@ -244,14 +244,15 @@ const char* flatUniformsText(const gpu::Device& device)
     return device.description.isProcessor() ? "#define FLAT_UNIFORMS\n" : "";
 }
 
-std::vector<std::uint32_t> shadingConstants(const ShadingPlan& plan)
+std::vector<std::uint32_t> shadingConstants(const ShadingPlan& plan, const ShaderKey& key)
 {
+    const Settings& choice = choiceOf(plan, key);
     std::vector<std::uint32_t> constants;
     for (const int count : plan.lightCounts)
         constants.push_back(static_cast<std::uint32_t>(count));
-    constants.push_back(static_cast<std::uint32_t>(plan.settings.environmentSamples));
-    constants.push_back(static_cast<std::uint32_t>(plan.settings.lightSamples));
-    constants.push_back(static_cast<std::uint32_t>(brdf::lampPointCount(plan.settings.environmentSamples)));
+    constants.push_back(static_cast<std::uint32_t>(choice.environmentSamples));
+    constants.push_back(static_cast<std::uint32_t>(choice.lightSamples));
+    constants.push_back(static_cast<std::uint32_t>(brdf::lampPointCount(choice.environmentSamples)));
     return constants;
 }
 
@@ -305,7 +306,7 @@ void bindTextures(gpu::Bindings& bindings, const TextureSet& set, const Textures
 void drawBatch(gpu::Commands& commands, const gpu::Pipeline& pipeline, const Batch& batch, SurfaceOutput output,
                const FrameInputs& frame)
 {
-    gpu::Bindings bindings = frame.bindings;
+    gpu::Bindings bindings = frame.bindingsOf(batch.key);
     bindTextures(bindings, batch.textures, *frame.scene.textures);
     if (const auto role = levelRole(frame.scene.plan, batch.textures); role && output == SurfaceOutput::attributes) {
         const int texture = batch.textures[static_cast<std::size_t>(*role)];

@@ -32,7 +32,7 @@ void bindTextures(gpu::Bindings& bindings, const TextureSet& set, const Textures
 
 /// Specialization constants, from 0 on, of every shader that includes material/shade.glsl: the numbers of lights, of
 /// samples.
-std::vector<std::uint32_t> shadingConstants(const ShadingPlan& plan);
+std::vector<std::uint32_t> shadingConstants(const ShadingPlan& plan, const ShaderKey& key);
 
 /// What selected.glsl says beside the plan: whether shading's vertex shaders tell fragments what these read of uniform
 /// blocks (shaders/passes/flat_uniforms.glsl), as pays off where a processor draws.

@@ -33,7 +33,7 @@ void checkMaterials(const ShadingPlan& plan)
 ShaderKey lightingClass(const ShaderKey& key)
 {
     const bool lit = !key.unlit && key.normals;
-    return {.unlit = !lit, .compensates = lit && key.compensates};
+    return {.unlit = !lit, .compensates = lit && key.compensates, .choice = lit ? key.choice : 0};
 }
 
 void planDeferred(ShadingPlan& plan)

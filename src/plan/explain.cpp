@@ -68,6 +68,8 @@ std::string explain(const ShadingPlan& plan)
 {
     std::string text;
     addMethods(text, plan.settings.methods);
+    for (const auto& [material, own] : plan.settings.ofMaterials)
+        text += "  of material " + materialMethodsText(material, own) + "\n";
     addDrawn(text, plan);
     text += "decided\n";
     for (const Remark& remark : plan.remarks)

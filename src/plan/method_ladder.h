@@ -23,11 +23,6 @@ struct SeenSurface
     double spheres = 0.0; // of lights with a radius
 };
 
-/// Slots whose methods stand in for an integral: what a picture's model is stays as it was asked for, and how exactly
-/// it is computed is chosen.
-inline constexpr std::array kChosenSlots = {brdf::Slot::environmentDiffuse, brdf::Slot::environmentSpecular,
-                                            brdf::Slot::dfg, brdf::Slot::areaLight};
-
 struct Rung
 {
     const brdf::Method* method = nullptr;

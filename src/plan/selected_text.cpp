@@ -141,6 +141,7 @@ ShaderKey textKey(const ShaderKey& key)
 {
     ShaderKey rest = key;
     rest.doubleSided &= !isMesh(key.surface);
+    rest.choice = 0;
     return rest;
 }
 
@@ -155,6 +156,8 @@ std::string selectedText(const ShadingPlan& plan, const ShaderKey& key)
 {
     std::string text = "// " + textKey(key).name() + "\n";
     const bool lit = !key.unlit && key.normals;
+    const brdf::Preset& own = choiceOf(plan, key).methods;
+    const bool spheres = lit && plan.areaLights && drawsAreaLights(own);
     define(text, surfaceMacro(key.surface), true);
     define(text, "NORMALS", key.normals && isMesh(key.surface));
     define(text, "VANISHING_NORMALS", key.vanishingNormals);
@@ -170,26 +173,26 @@ std::string selectedText(const ShadingPlan& plan, const ShaderKey& key)
     define(text, "UNLIT", key.unlit);
     define(text, "LIT", lit);
     define(text, "PUNCTUAL_LIGHTS", lit && !plan.lights.empty());
-    define(text, "AREA_LIGHTS", lit && plan.areaLights);
-    define(text, "AREA_SAMPLED", lit && plan.areaLights && plan.settings.methods.areaLight->id == "sampled");
-    defineAntialiasing(text, plan.settings.methods, lit && key.normal.used);
+    define(text, "AREA_LIGHTS", spheres);
+    define(text, "AREA_SAMPLED", spheres && own.areaLight->id == "sampled");
+    defineAntialiasing(text, own, lit && key.normal.used);
     define(text, "ENVIRONMENT_LIGHT", lit && plan.environmentLight);
     if (lit && plan.environmentLight)
-        defineEnvironment(text, plan.settings.methods);
-    const bool lightsReadAlbedo = lit && readsAlbedo(plan.settings.methods, key.compensates) && !plan.lights.empty();
-    const bool table = lit && (environmentReadsTable(plan) || lightsReadAlbedo || viewsTable(plan));
+        defineEnvironment(text, own);
+    const bool lightsReadAlbedo = lit && readsAlbedo(own, key.compensates) && !plan.lights.empty();
+    const bool table =
+        lit && ((plan.environmentLight && environmentReadsTable(own)) || lightsReadAlbedo || viewsTable(plan));
     define(text, "DFG_TABLE", table);
-    if (const brdf::Method* dfg = plan.settings.methods.dfg; table && dfg && !brdf::findDfgTable(dfg->id))
+    if (const brdf::Method* dfg = own.dfg; table && dfg && !brdf::findDfgTable(dfg->id))
         text += "#include \"" + brdf::glslPath(*dfg) + "\"\n#define DFG_FIT " + brdf::functionName(*dfg) + "\n";
-    define(text, "READS_LIGHT_ALBEDO",
-           lightsReadAlbedo && key.compensates && plan.settings.methods.multipleScattering->readsLightAlbedo);
-    defineFilter(text, plan.settings.methods, key);
+    define(text, "READS_LIGHT_ALBEDO", lightsReadAlbedo && key.compensates && own.multipleScattering->readsLightAlbedo);
+    defineFilter(text, own, key);
     defineUvs(text, key);
     definePlace(text, key.roughness, "ROUGHNESS_TEXEL", "material.g");
     definePlace(text, key.metallic, "METALLIC_TEXEL", "material.b");
     definePlace(text, key.ambient, "OCCLUSION_TEXEL", "material.r");
     if (lit) {
-        brdf::Preset methods = plan.settings.methods;
+        brdf::Preset methods = own;
         if (brdf::isComposed(methods) && !key.compensates)
             methods.multipleScattering = brdf::findMethod(brdf::Slot::multipleScattering, "none");
         text += brdf::selectedGlsl(methods);

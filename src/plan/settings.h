@@ -3,8 +3,10 @@
 
 #include "brdf/method.h"
 #include "math/vector.h"
+#include "plan/light_methods.h"
 #include "plan/view.h"
 
+#include <map>
 #include <optional>
 
 namespace torrance {
@@ -33,6 +35,9 @@ struct Settings
     int samples = 1;             // per pixel
     int environmentSamples = 64; // per pixel and picture, of methods of environmentSpecular that draw samples
     int lightSamples = 64;       // per pixel, picture and light with a radius, of the method `sampled` of areaLight
+    /// By number in Scene::materials, the one behind the last being glTF's default material: surfaces that compute
+    /// light otherwise than `methods` and the numbers above say.
+    std::map<int, LightMethods> ofMaterials = {};
     BackgroundKind background = BackgroundKind::environment;
     dvec3 backgroundColor = dvec3(0.0); // scene-linear
     double backgroundBlur = 0.0; // of BackgroundKind::environment: the perceptual roughness (0 to 1) of the GGX kernel

@@ -97,6 +97,8 @@ std::string ShaderKey::name() const
     flag(doubleSided, "double-sided");
     flag(unlit, "unlit");
     flag(compensates, "compensated");
+    if (choice > 0)
+        text.append(" choice").append(std::to_string(choice));
     return text;
 }
 

@@ -58,6 +58,7 @@ struct ShaderKey
     bool doubleSided = false;
     bool unlit = false;
     bool compensates = false;
+    int choice = 0; // ShadingPlan::choices
 
     auto operator<=>(const ShaderKey&) const = default;
     bool usesUv(int set) const;

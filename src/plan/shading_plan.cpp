@@ -31,8 +31,11 @@ public:
 
     ShadingPlan run()
     {
+        checkMaterialMethods();
         planMaterials();
         planSurfaces();
+        if (plan.choices.empty()) // nothing is lit
+            plan.choices.push_back(withLightMethods(plan.settings, lightMethodsOf(plan.settings)));
         planLighting();
         checkPixelSampling(plan);
         choosePath(scene, plan);
@@ -53,6 +56,8 @@ private:
     void addShapes();
     void add(const ShaderKey& key, const TextureSet& textures, Draw draw);
     int blockIndex(int material, const TextureSet& textures);
+    int choiceIndex(std::size_t material);
+    void checkMaterialMethods() const;
 
     std::size_t materialIndex(int material) const
     {
@@ -70,6 +75,28 @@ private:
     std::map<std::pair<int, TextureSet>, int> blocks;          // ShadingPlan::blocks by material and textures
     std::map<std::pair<ShaderKey, TextureSet>, Batch> batches; // ordered: the same scene gives the same batches
 };
+
+void Planner::checkMaterialMethods() const
+{
+    for (const auto& [material, methods] : plan.settings.ofMaterials)
+        if (material < 0 || static_cast<std::size_t>(material) > scene.materials.size())
+            throw usageError(
+                "--material-methods: there is no material " + std::to_string(material) + ", but " +
+                    std::to_string(scene.materials.size()),
+                "torrance inspect lists them, the first is 0; the number behind the last is glTF's default");
+}
+
+// Of a lit surface: the first that is lit alike, or a new one.
+int Planner::choiceIndex(std::size_t material)
+{
+    const LightMethods own = lightMethodsOf(plan.settings, static_cast<int>(material));
+    const auto alike = [&](const Settings& choice) { return lightMethodsOf(choice) == own; };
+    const auto found = std::ranges::find_if(plan.choices, alike);
+    const auto index = static_cast<int>(found - plan.choices.begin());
+    if (found == plan.choices.end())
+        plan.choices.push_back(withLightMethods(plan.settings, own));
+    return index;
+}
 
 void Planner::planMaterials()
 {
@@ -210,6 +237,8 @@ void Planner::addPrimitives()
         }
         bounds.include(draw.bounds);
         auto [key, textures] = keyOf(plan.materials[material], primitive);
+        if (!key.unlit && key.normals)
+            key.choice = choiceIndex(material);
         key.vanishingNormals =
             key.surface == SurfaceKind::triangles && key.normals && (singular || normalsMayVanish(primitive));
         draw.starBody = key.doubleSided && !singular && isStarBody(primitive);
@@ -232,7 +261,8 @@ void Planner::addShapes()
                                .alphaMode = m.alphaMode,
                                .doubleSided = m.doubleSided,
                                .unlit = m.unlit,
-                               .compensates = plan.materials[material].compensates && !m.unlit};
+                               .compensates = plan.materials[material].compensates && !m.unlit,
+                               .choice = m.unlit ? 0 : choiceIndex(material)};
         for (const TextureUse* use : {&m.baseColor, &m.metallicRoughness, &m.normal, &m.occlusion, &m.emissive})
             if (use->used())
                 plan.remarks.push_back(
@@ -256,9 +286,8 @@ void Planner::planSurfaces()
 }
 
 // The levels of a source belong to its model, which has no part for any others.
-void checkLevels(const ShadingPlan& plan)
+void checkLevels(const ShadingPlan& plan, const brdf::Preset& methods)
 {
-    const brdf::Preset& methods = plan.settings.methods;
     if (!plan.environmentLight ||
         methods.environmentSpecular->ownModel == (brdf::isComposed(methods) ? "" : methods.model->id))
         return;
@@ -268,16 +297,16 @@ void checkLevels(const ShadingPlan& plan)
 }
 
 // The points of lamps lie behind the lights, and what is left of the radiance is no whole environment.
-void checkLamps(const ShadingPlan& plan)
+void checkLamps(const ShadingPlan& plan, const Settings& choice)
 {
-    const brdf::Preset& methods = plan.settings.methods;
+    const brdf::Preset& methods = choice.methods;
     if (!plan.environmentLight || !brdf::hasLampPoints(*methods.environmentSpecular))
         return;
     if (methods.environmentDiffuse->id == "sampled")
         throw usageError("--environment-specular vndf_lamps takes the lamps out of the radiance that "
                          "--environment-diffuse sampled reads",
                          "use irradiance_cube, which is as exact");
-    const std::size_t points = static_cast<std::size_t>(brdf::lampPointCount(plan.settings.environmentSamples));
+    const std::size_t points = static_cast<std::size_t>(brdf::lampPointCount(choice.environmentSamples));
     if (plan.lights.size() + points > kMostLights)
         throw usageError("--environment-specular vndf_lamps: its " + std::to_string(points) + " points and " +
                              std::to_string(plan.lights.size()) + " lights are more than " +
@@ -289,12 +318,14 @@ void checkLamps(const ShadingPlan& plan)
 // source system that says nothing of environments is lit by none.
 void checkLobe(const ShadingPlan& plan)
 {
+    for (const Settings& choice : plan.choices) {
+        if (plan.environmentLight && !choice.methods.environmentSpecular)
+            throw usageError("the preset " + std::string(choice.methods.id) + " defines no light from an environment",
+                             "leave it out: --environment none");
+        checkLevels(plan, choice.methods);
+        checkLamps(plan, choice);
+    }
     const brdf::Preset& methods = plan.settings.methods;
-    if (plan.environmentLight && !methods.environmentSpecular)
-        throw usageError("the preset " + std::string(methods.id) + " defines no light from an environment",
-                         "leave it out: --environment none");
-    checkLevels(plan);
-    checkLamps(plan);
     if (!plan.dfgTable || !brdf::isComposed(methods))
         return;
     const std::string_view D = methods.distribution->id;
@@ -308,7 +339,8 @@ void checkLobe(const ShadingPlan& plan)
 
 void Planner::planAreaLights()
 {
-    const bool points = plan.settings.methods.areaLight->id == "point";
+    const bool points =
+        std::ranges::none_of(plan.choices, [](const Settings& choice) { return drawsAreaLights(choice.methods); });
     for (const Light& light : plan.lights) {
         if (light.radius <= 0.0)
             continue;
@@ -324,12 +356,11 @@ void Planner::planAreaLights()
 }
 
 // A view of what the scene or the preset does not have is no black picture but an error.
-void checkView(const ShadingPlan& plan)
+void checkView(const ShadingPlan& plan, const brdf::Preset& methods)
 {
     const View* view = plan.settings.view;
     if (!view)
         return;
-    const brdf::Preset& methods = plan.settings.methods;
     const bool ofLight = view->subject == ViewSubject::light || view->subject == ViewSubject::model;
     if (ofLight && plan.settings.viewLight >= static_cast<int>(plan.lights.size()))
         refuseView(*view,
@@ -370,7 +401,8 @@ void Planner::planLighting()
     plan.environmentLight = hasEnvironment && lit;
     plan.panorama = hasEnvironment && plan.settings.background == BackgroundKind::environment;
     const bool viewsTable = plan.settings.view && plan.settings.view->subject == ViewSubject::table;
-    plan.dfgTable = environmentReadsTable(plan) ||
+    const auto readsTable = [](const Settings& choice) { return environmentReadsTable(choice.methods); };
+    plan.dfgTable = (plan.environmentLight && std::ranges::any_of(plan.choices, readsTable)) ||
                     (lit && readsAlbedo(plan.settings.methods, compensates) && !plan.lights.empty()) ||
                     (lit && viewsTable);
     if (hasEnvironment && !lit)
@@ -378,7 +410,8 @@ void Planner::planLighting()
     if (hasEnvironment && !plan.panorama)
         plan.remarks.push_back({"environment", "not drawn", "another background was asked for"});
     checkLobe(plan);
-    checkView(plan);
+    for (const Settings& choice : plan.choices)
+        checkView(plan, choice.methods);
     if (plan.environmentLight && brdf::isComposed(plan.settings.methods) &&
         plan.settings.methods.diffuse->id != "lambert")
         plan.remarks.push_back({"environment", "its diffuse light is Lambert's",
@@ -387,21 +420,30 @@ void Planner::planLighting()
         plan.settings.methods.fresnel->id != "schlick")
         plan.remarks.push_back({"environment", "its Fresnel term is Schlick's",
                                 std::string(plan.settings.methods.fresnel->id) + " has no table"});
-    if (plan.dfgTable && plan.settings.methods.dfg && !brdf::findDfgTable(plan.settings.methods.dfg->id))
-        plan.remarks.push_back(
-            {"directional albedo table", "left out", std::string(plan.settings.methods.dfg->id) + " is a formula"});
+    for (const Settings& choice : plan.choices)
+        if (const brdf::Method* dfg = choice.methods.dfg; plan.dfgTable && dfg && !brdf::findDfgTable(dfg->id))
+            plan.remarks.push_back({"directional albedo table", "left out", std::string(dfg->id) + " is a formula"});
     if (!plan.dfgTable)
         plan.remarks.push_back({"directional albedo table", "left out", "no shader reads it"});
 }
 
 } // namespace
 
-bool environmentReadsTable(const ShadingPlan& plan)
+const Settings& choiceOf(const ShadingPlan& plan, const ShaderKey& key)
 {
-    const brdf::Preset& methods = plan.settings.methods;
-    if (!plan.environmentLight || !methods.environmentSpecular)
+    return plan.choices[static_cast<std::size_t>(key.choice)];
+}
+
+bool environmentReadsTable(const brdf::Preset& methods)
+{
+    if (!methods.environmentSpecular)
         return false;
     return brdf::isComposed(methods) || methods.environmentSpecular->id == "ggx_levels";
+}
+
+bool drawsAreaLights(const brdf::Preset& methods)
+{
+    return methods.areaLight->id != "point";
 }
 
 bool readsAlbedo(const brdf::Preset& methods, bool compensates)

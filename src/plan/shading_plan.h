@@ -69,6 +69,8 @@ struct PlannedInstance
 struct ShadingPlan
 {
     Settings settings;
+    /// How light is computed, by ShaderKey::choice: the settings of a picture of these surfaces alone. At least one.
+    std::vector<Settings> choices;
     RenderPath path = RenderPath::forward;
     std::vector<PlannedMaterial> materials; // Scene::materials, and glTF's default material last
     std::vector<PlannedTexture> textures;
@@ -78,7 +80,7 @@ struct ShadingPlan
     std::vector<Batch> blended; // one draw of one instance each
     std::vector<Light> lights;  // directional, then point, then spot
     std::array<int, 3> lightCounts = {0, 0, 0};
-    bool areaLights = false;                // some light is drawn with its radius
+    bool areaLights = false;                // some light has a radius, and some surface sees it
     bool environmentLight = false;          // some surface is lit by the environment
     bool panorama = false;                  // the environment is seen behind the scene
     bool dfgTable = false;                  // some shader reads directional albedos
@@ -95,8 +97,15 @@ ShadingPlan makePlan(const Scene& scene, std::span<const TexelFacts> facts, cons
 /// Of all instances; 0 for an analytic shape.
 double triangleCount(const Scene& scene, const Draw& draw);
 
-/// Whether the environment's part needs a table of directional albedos: that of the slot dfg, or source B's map.
-bool environmentReadsTable(const ShadingPlan& plan);
+/// The settings by which surfaces of this key are lit.
+const Settings& choiceOf(const ShadingPlan& plan, const ShaderKey& key);
+
+/// Whether the environment's part of these methods needs a table of directional albedos: that of the slot dfg, or
+/// source B's map.
+bool environmentReadsTable(const brdf::Preset& methods);
+
+/// Whether lights with a radius are drawn as such.
+bool drawsAreaLights(const brdf::Preset& methods);
 
 /// Whether a punctual light's part needs the table of directional albedos.
 bool readsAlbedo(const brdf::Preset& methods, bool compensates);

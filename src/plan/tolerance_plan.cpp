@@ -37,7 +37,7 @@ TolerancePlan planTolerance(const MethodTable& table, const Tolerance& tolerance
                             const LadderScene& scene)
 {
     TolerancePlan plan = {tolerance, {}};
-    for (const Slot slot : kChosenSlots) {
+    for (const Slot slot : kLightSlots) {
         if (!asked[slot] || std::ranges::find(fixed, slot) != fixed.end())
             continue;
         std::optional<MethodLadder> ladder = ladderOf(table, slot, *asked[slot], surfaces, scene);
@@ -65,6 +65,19 @@ Settings settingsOf(const TolerancePlan& plan, Settings settings)
             (ladder.slot == Slot::areaLight ? settings.lightSamples : settings.environmentSamples) = rung.samples;
     }
     return settings;
+}
+
+double expectedCost(const TolerancePlan& plan)
+{
+    double cheapest = 0.0, more = 0.0; // rungs have the cost of whole frames
+    for (const MethodLadder& ladder : plan.ladders) {
+        const double first = ladder.rungs.front().cost;
+        if (std::isnan(first))
+            continue;
+        cheapest = std::max(cheapest, first);
+        more += ladder.taken().cost - first;
+    }
+    return cheapest + more;
 }
 
 bool stepUp(TolerancePlan& plan, double measured, std::string_view blamed)

@@ -33,6 +33,9 @@ void addLadder(TolerancePlan& plan, MethodLadder ladder, const LadderScene& scen
 /// What is drawn with the choice as it stands.
 Settings settingsOf(const TolerancePlan& plan, Settings settings);
 
+/// ns a pixel that the table says of a frame with the choice as it stands, as far as it knows.
+double expectedCost(const TolerancePlan& plan);
+
 /// Steps aim at this share of the tolerance: the upper end of a certificate's interval, which must be within, lies
 /// about a third above its value.
 inline constexpr double kAim = 0.75;

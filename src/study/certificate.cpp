@@ -7,6 +7,7 @@
 #include "plan/level_plan.h"
 #include "plan/pixel_sampling_plan.h"
 #include "study/error_numbers.h"
+#include "study/material_errors.h"
 #include "study/pixel_effort.h"
 #include "study/surface_survey.h"
 #include "study/transport_part.h"
@@ -324,6 +325,8 @@ Certificate Certifier::judge(const Settings& settings, const Image& drawn, Certi
     certificate.meanNorm = meanNormOf(looked.strata, looked.sampleErrors());
     certificate.noise = noiseOf(looked.sampleErrors());
     certificate.shading = errorNumbers(looked.strata, looked.sampleErrors(), certificate.meanNorm);
+    certificate.materials =
+        materialErrors(looked.strata, sampled(), looked.sampleErrors(), static_cast<int>(scene.materials.size()));
     certificate.worst = worstFound(estimator, settings, drawn, looked, covered, certificate.meanNorm, exact.directions,
                                    request.seed + 1);
     if (looked.sampled < covered.size())

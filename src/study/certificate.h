@@ -2,6 +2,7 @@
 #pragma once
 
 #include "image/image.h"
+#include "plan/material_choice.h"
 #include "plan/method_ladder.h"
 #include "plan/settings.h"
 #include "reference/pixel_estimate.h"
@@ -77,6 +78,7 @@ struct Certificate
     double meanNorm = 0.0;     // |c|_1
     double noise = 0.0; // half the 95 % interval of the truths' |c|_1, mean over mean |c|_1: what one pixel is known to
     ErrorNumbers shading;
+    MaterialErrors materials;        // of the sample: material_errors.h
     std::optional<WorstFound> worst; // none where nothing is covered
     /// At 95 %: at most this share of the covered pixels is worse than the worst found. 1 - 0.05^(1/N), about 3/N
     /// (Hanley & Lippman-Hand, If Nothing Goes Wrong, Is Everything All Right?, 1983); 0 where all were compared.

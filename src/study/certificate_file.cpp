@@ -50,6 +50,14 @@ Json methodsJson(const brdf::Preset& methods)
     return object;
 }
 
+Json::Array ofMaterialsJson(const Settings& settings)
+{
+    Json::Array texts;
+    for (const auto& [material, own] : settings.ofMaterials)
+        texts.emplace_back(materialMethodsText(material, own));
+    return texts;
+}
+
 Json::Array textsJson(const std::vector<std::string>& texts)
 {
     return {texts.begin(), texts.end()};
@@ -146,6 +154,7 @@ Json certificateJson(const Certificate& certificate, const CertifiedPicture& pic
         {"plan", Json::Object{{"hash", picture.planHash},
                               {"preset", std::string(settings.methods.id)},
                               {"methods", methodsJson(settings.methods)},
+                              {"of_materials", ofMaterialsJson(settings)},
                               {"path", picture.path},
                               {"samples", settings.samples}}},
         {"device", picture.device},

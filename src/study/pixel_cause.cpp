@@ -19,6 +19,7 @@ struct Correction
 {
     brdf::Slot slot;
     dvec3 change = dvec3(0.0);
+    const brdf::Method* method = nullptr; // of the nearest surface
 };
 using Corrections = std::array<Correction, 4>;
 
@@ -84,11 +85,18 @@ void addSpheres(const PixelEstimator& estimator, const Settings& settings, const
     }
 }
 
+// As Settings::ofMaterials counts.
+int numberOf(const Scene& scene, const VisibleSurface& seen)
+{
+    return seen.surface.material < 0 ? static_cast<int>(scene.materials.size()) : seen.surface.material;
+}
+
 } // namespace
 
 PixelCause pixelCause(const PixelEstimator& estimator, const Settings& settings, int x, int y, const dvec3& drawn,
                       const dvec3& exact)
 {
+    const Scene& scene = estimator.rays().scene();
     Corrections corrections = {Correction{brdf::Slot::environmentDiffuse},
                                {brdf::Slot::environmentSpecular},
                                {brdf::Slot::dfg},
@@ -99,8 +107,12 @@ PixelCause pixelCause(const PixelEstimator& estimator, const Settings& settings,
             if (seen.material.unlit)
                 continue;
             const double share = seen.share / double(offsets.size());
-            addEnvironment(estimator, settings, seen, share, corrections);
-            addSpheres(estimator, settings, seen, share, corrections);
+            const Settings own = withLightMethods(settings, lightMethodsOf(settings, numberOf(scene, seen)));
+            addEnvironment(estimator, own, seen, share, corrections);
+            addSpheres(estimator, own, seen, share, corrections);
+            for (Correction& correction : corrections)
+                if (!correction.method)
+                    correction.method = own.methods[correction.slot];
         }
     const double whole = norm1(drawn - exact);
     PixelCause cause = {.slot = "surface", .method = "", .share = 0.0};
@@ -109,8 +121,7 @@ PixelCause pixelCause(const PixelEstimator& estimator, const Settings& settings,
         const double share = 1.0 - norm1(drawn + correction.change - exact) / whole;
         if (whole > 0.0 && share >= best) {
             best = share;
-            cause = {std::string(brdf::slotName(correction.slot)), std::string(settings.methods[correction.slot]->id),
-                     share};
+            cause = {std::string(brdf::slotName(correction.slot)), std::string(correction.method->id), share};
         }
     }
     return cause;

@@ -65,60 +65,153 @@ bool isWithin(const Tolerance& tolerance, const ErrorNumbers& error)
            (!tolerance.percentile99 || error.percentile99.high <= *tolerance.percentile99);
 }
 
-ToleranceResult drawWithin(const ToleranceTask& task, const DrawPicture& draw)
+namespace {
+
+class Search
 {
-    CertificateRequest request = task.request;
-    if (!request.noise)
-        request.noise = std::clamp(kToleranceNoise * task.tolerance.mean, kLeastNoise, kMostNoise);
-    std::optional<Certifier> certifier;
-    certifier.emplace(task.scene, task.camera, task.asked, request, task.checkpoint);
-    const auto drawSample = [&](const Settings& settings) -> const Image& {
+public:
+    Search(const ToleranceTask& t, const DrawPicture& d) : task(t), draw(d), request(t.request)
+    {
+        if (!request.noise)
+            request.noise = std::clamp(kToleranceNoise * task.tolerance.mean, kLeastNoise, kMostNoise);
+        prepare();
+    }
+
+    ToleranceResult run();
+
+private:
+    void prepare() { certifier.emplace(task.scene, task.camera, task.asked, request, task.checkpoint); }
+
+    const Image& drawSample(const Settings& settings) const
+    {
         return draw(settings, blocksOf(certifier->sampled(), settings));
-    };
+    }
+
+    Certificate judgeSample(const Settings& settings) const
+    {
+        return certifier->judge(settings, drawSample(settings), CertificateParts::sample);
+    }
+
+    // Whether the picture, drawn whole, is within; its certificate is the result's.
+    bool holdsWhole(const Settings& settings)
+    {
+        result.settings = settings;
+        result.certificate = certifier->judge(settings, draw(settings, {}), CertificateParts::all);
+        result.holds = result.certificate.covered > 0 && isWithin(task.tolerance, result.certificate.shading) &&
+                       result.certificate.nonFinite == 0;
+        return result.holds;
+    }
+
+    // The next methods, after step `step` gave this.
+    bool goOn(int step, const Certificate& seen)
+    {
+        if (step == kMostSteps)
+            return false;
+        return step + 1 == kMostSteps ? goNearest(result.plan)
+                                      : stepUp(result.plan, seen.shading.mean.value, seen.worst->cause.slot);
+    }
+
+    void plan();
+    Certificate look(const Settings& settings, double share);
+    void note(const Settings& settings, const Certificate& seen);
+    bool holdsByMaterial(const Settings& found);
+
+    const ToleranceTask& task;
+    const DrawPicture& draw;
+    CertificateRequest request;
+    std::optional<Certifier> certifier;
     ToleranceResult result;
+    std::vector<MaterialTrial> tried;
+    const brdf::Method* triedFilter = nullptr; // of all in `tried`
+};
+
+void Search::plan()
+{
     const LadderScene facts = factsOf(task.scene, task.asked);
     result.plan =
         planTolerance(task.table, task.tolerance, task.asked.methods, task.fixed, certifier->surfaces(), facts);
-    if (std::ranges::find(task.fixed, brdf::Slot::textureFilter) == task.fixed.end())
-        if (auto filters =
-                filterLadder(task.scene, settingsOf(result.plan, task.asked), certifier->sampled(), drawSample))
-            addLadder(result.plan, std::move(*filters), facts);
-    for (int step = 0;; ++step) {
-        result.settings = settingsOf(result.plan, task.asked);
-        const auto look = [&] {
-            return certifier->judge(result.settings, drawSample(result.settings), CertificateParts::sample);
-        };
-        // Of what these methods draw, whether there are others to go on with.
-        const auto goOn = [&](const Certificate& certificate) {
-            return step < kMostSteps && (step + 1 == kMostSteps ? goNearest(result.plan)
-                                                                : stepUp(result.plan, certificate.shading.mean.value,
-                                                                         certificate.worst->cause.slot));
-        };
-        Certificate seen = look();
-        const double share = step == kMostSteps || isNearest(result.plan) ? 1.0 : kAim; // a dearer method may do better
-        while (isOpen(task.tolerance, seen, share) && request.pixels * kMorePixels <= kMostToleranceCertified) {
-            request.pixels *= kMorePixels;
-            certifier.emplace(task.scene, task.camera, task.asked, request, task.checkpoint);
-            seen = look();
-        }
-        if (seen.covered > 0) {
-            ToleranceTrial trial = {{}, seen.shading.mean, seen.shading.percentile99};
-            for (const MethodLadder& ladder : result.plan.ladders)
-                trial.rungs.push_back(ladder.taken());
-            result.trials.push_back(std::move(trial));
-            if (!isWithin(task.tolerance, seen.shading) && goOn(seen))
-                continue;
-        }
-        result.certificate = certifier->judge(result.settings, draw(result.settings, {}), CertificateParts::all);
-        if (result.certificate.covered == 0)
-            return result;
-        result.holds = isWithin(task.tolerance, result.certificate.shading) && result.certificate.nonFinite == 0;
-        if (!result.holds && goOn(result.certificate)) // what the sample does not see
-            continue;
-        if (!result.holds)
-            result.obstacle = obstacleOf(result);
-        return result;
+    if (std::ranges::find(task.fixed, brdf::Slot::textureFilter) != task.fixed.end())
+        return;
+    const auto drawn = [&](const Settings& settings) -> const Image& { return drawSample(settings); };
+    if (auto filters = filterLadder(task.scene, settingsOf(result.plan, task.asked), certifier->sampled(), drawn))
+        addLadder(result.plan, std::move(*filters), facts);
+}
+
+Certificate Search::look(const Settings& settings, double share)
+{
+    Certificate seen = judgeSample(settings);
+    while (isOpen(task.tolerance, seen, share) && request.pixels * kMorePixels <= kMostToleranceCertified) {
+        request.pixels *= kMorePixels;
+        prepare();
+        seen = judgeSample(settings);
     }
+    return seen;
+}
+
+void Search::note(const Settings& settings, const Certificate& seen)
+{
+    ToleranceTrial trial = {{}, {}, seen.shading.mean, seen.shading.percentile99};
+    for (const MethodLadder& ladder : result.plan.ladders)
+        trial.rungs.push_back(ladder.taken());
+    for (const auto& [material, own] : settings.ofMaterials)
+        if (!task.asked.ofMaterials.contains(material))
+            trial.cheaper.push_back(material);
+    result.trials.push_back(std::move(trial));
+}
+
+// Of what was tried with the texture filter that was found: materials do not choose it.
+bool Search::holdsByMaterial(const Settings& found)
+{
+    std::vector<int> free;
+    for (const auto& [material, own] : tried.back().errors)
+        if (!task.asked.ofMaterials.contains(material))
+            free.push_back(material);
+    if (!task.byMaterial || tried.size() < 2 || free.size() < 2)
+        return false;
+    const std::map<int, LightMethods> cheaper =
+        cheaperMaterials(tried.back(), std::span(tried).first(tried.size() - 1), free, kAim * task.tolerance.mean);
+    if (cheaper.empty())
+        return false;
+    Settings mixed = found;
+    mixed.ofMaterials.insert(cheaper.begin(), cheaper.end());
+    const Certificate seen = judgeSample(mixed);
+    note(mixed, seen);
+    return isWithin(task.tolerance, seen.shading) && holdsWhole(mixed);
+}
+
+ToleranceResult Search::run()
+{
+    plan();
+    for (int step = 0;; ++step) {
+        const Settings settings = settingsOf(result.plan, task.asked);
+        const bool last = step == kMostSteps || isNearest(result.plan);
+        const Certificate seen = look(settings, last ? 1.0 : kAim); // a dearer method may do better
+        if (seen.covered > 0) {
+            note(settings, seen);
+            if (triedFilter != settings.methods.textureFilter)
+                tried.clear();
+            triedFilter = settings.methods.textureFilter;
+            tried.push_back({lightMethodsOf(settings), expectedCost(result.plan), seen.materials});
+            const bool within = isWithin(task.tolerance, seen.shading);
+            if (!within && goOn(step, seen))
+                continue;
+            if (within && holdsByMaterial(settings))
+                return std::move(result);
+        }
+        if (holdsWhole(settings) || result.certificate.covered == 0)
+            return std::move(result);
+        if (goOn(step, result.certificate)) // what the sample does not see
+            continue;
+        result.obstacle = obstacleOf(result);
+        return std::move(result);
+    }
+}
+
+} // namespace
+
+ToleranceResult drawWithin(const ToleranceTask& task, const DrawPicture& draw)
+{
+    return Search(task, draw).run();
 }
 
 std::vector<std::string> toleranceLines(const ToleranceResult& result)
@@ -128,10 +221,15 @@ std::vector<std::string> toleranceLines(const ToleranceResult& result)
         std::string methods;
         for (const Rung& rung : trial.rungs)
             methods += (methods.empty() ? "" : ", ") + nameOf(rung);
+        if (!trial.cheaper.empty())
+            methods += fmt::format(", {} {} with those of earlier trials", trial.cheaper.size(),
+                                   trial.cheaper.size() == 1 ? "material" : "materials");
         lines.push_back("tried " + (methods.empty() ? "as asked" : methods) + ": mean " + boundedText(trial.mean));
     }
     for (const Remark& remark : remarksOf(result.plan))
         lines.push_back(remark.subject + ": " + remark.choice + " (" + remark.reason + ")");
+    for (const auto& [material, own] : result.settings.ofMaterials)
+        lines.push_back("tolerance, of material " + materialMethodsText(material, own));
     return lines;
 }
 

@@ -24,6 +24,8 @@ inline constexpr double kToleranceNoise = 0.5;
 struct ToleranceTrial
 {
     std::vector<Rung> rungs; // what was taken of each ladder of the plan
+    /// Materials that had cheaper methods, of an earlier trial: numbers as Settings::ofMaterials has them.
+    std::vector<int> cheaper;
     Bounded mean, percentile99;
 };
 
@@ -48,6 +50,7 @@ struct ToleranceTask
     const MethodTable& table;
     Tolerance tolerance;
     std::vector<brdf::Slot> fixed = {}; // slots whose methods were asked for by name
+    bool byMaterial = true; // when a picture is within, materials that can do with methods of an earlier trial get them
     CertificateRequest request = {};
     Checkpoint checkpoint = {};
 };

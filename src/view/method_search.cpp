@@ -18,6 +18,7 @@ void MethodSearch::start(const Scene& scene, const Camera& camera, const Setting
                                     .asked = asked,
                                     .table = measured,
                                     .tolerance = tolerance,
+                                    .byMaterial = false, // the window has one choice for all
                                     .checkpoint = [this] {
                                         if (stops)
                                             throw Cancelled();

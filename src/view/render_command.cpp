@@ -64,6 +64,8 @@ void addMethods(const Settings& settings, std::vector<std::string>& arguments)
     if (const brdf::Method* area = settings.methods.areaLight;
         area && area->id == "sampled" && settings.lightSamples != Settings().lightSamples)
         arguments.push_back(fmt::format("--light-samples={}", settings.lightSamples));
+    for (const auto& [material, own] : settings.ofMaterials)
+        arguments.push_back("--material-methods=" + materialMethodsText(material, own));
     if (settings.path)
         arguments.push_back(std::string("--path=") + nameOf(*settings.path));
     if (settings.triangleCulling)

@@ -40,7 +40,7 @@ void replan(Renderer& renderer, SceneOnDevice& scene, const Settings& settings)
                                  .plan = plan,
                                  .meshes = scene.device->meshes,
                                  .textures = scene.device->textures,
-                                 .environment = scene.device->environment,
+                                 .environments = scene.device->environments,
                                  .materials = {},
                                  .classMaterials = {}};
         scene.device = std::make_unique<DeviceScene>(renderer.replan(old, scene.plan));

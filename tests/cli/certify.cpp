@@ -223,5 +223,29 @@ TEST_F(Certify, AddsThePartOfTransport)
     EXPECT_EQ(verify("a.exr").exitCode, 1);
 }
 
+// What a material computes in its own way is recorded, and drawn again.
+TEST_F(Certify, RecordsTheMethodsOfMaterials)
+{
+    const auto drawn = [&](const std::string& name, std::vector<std::string> more) {
+        more.insert(more.begin(), {"render", "--primitive", "sphere", "--roughness", "0.4", "--metallic", "1", "-r",
+                                   "48x48", "-o", folder.file(name), "--certify=32", "--explain"});
+        const Outcome outcome = runTorrance(more);
+        EXPECT_EQ(outcome.exitCode, 0) << outcome.errors;
+        return outcome.output;
+    };
+    const std::string explained =
+        drawn("a.exr", {"--material-methods", "0:environment-specular=vndf_bounded,environment-samples=16"});
+    const std::string text = "0:environment-diffuse=irradiance_cube,environment-specular=vndf_bounded,dfg=table,"
+                             "area-light=point,environment-samples=16";
+    EXPECT_NE(explained.find("  of material " + text + "\n"), std::string::npos) << explained;
+    const auto json = nlohmann::json::parse(folder.content("a.exr.certificate.json"));
+    EXPECT_EQ(json["plan"]["of_materials"], nlohmann::json::array({text}));
+    EXPECT_EQ(verify("a.exr").exitCode, 0);
+    drawn("b.exr", {"--environment-specular", "vndf_bounded", "--environment-samples", "16"});
+    EXPECT_EQ(readImage(folder.file("a.exr")).image.texels, readImage(folder.file("b.exr")).image.texels);
+    drawn("c.exr", {});
+    EXPECT_NE(readImage(folder.file("a.exr")).image.texels, readImage(folder.file("c.exr")).image.texels);
+}
+
 } // namespace
 } // namespace torrance::test

@@ -244,6 +244,14 @@ TEST_F(RenderBadInput, OptionsThatWouldBeIgnored)
     refused("out.png", {"--environment-samples", "16"});
     refused("out.png", {"--light-samples", "16"});
     refused("out.png", {"--environment-samples", "16", "--environment-specular", "split_sum_dominant"});
+    const auto refusedMethods = [&](const std::string& text) { refused("out.png", {"--material-methods", text}); };
+    for (const char* text :
+         {"0", "x:dfg=table", "0:", "0:fresnel=schlick", "0:dfg=tables", "0:dfg", "0:environment-samples=16",
+          "0:light-samples=16", "0:environment-specular=vndf,environment-samples=0", "0:dfg=table,dfg=table",
+          "0:environment-specular=vndf,environment-samples=1e9", "99:dfg=table"})
+        refusedMethods(text);
+    refused("out.png", {"--material-methods", "0:dfg=table", "--material-methods", "0:dfg=lazarov"});
+    refused("out.png", {"--material-methods", "0:dfg=table", "--preset", "phong"});
     refused("out.png", {"--quality", "50"});
     refused("out.jpg", {"--bits", "16"});
     refused("-", {"--json", "-"});
