@@ -54,9 +54,10 @@ def option(name):
     return samples.get(name, name.replace("_", "-"))
 
 
-def frame_ms(o, model, environment, methods):
+def frame_ms(o, model, environment, methods, of_materials):
     """CPU ms a frame over all threads: the median of a few."""
     options = [f"--{option(name)}={value}" for name, value in methods.items()]
+    options += [f"--material-methods={text}" for text in of_materials]
     bench = subprocess.run([o.torrance, "bench", model, "-e", environment, "-r", o.size, *options, "--frames=9",
                             "--seconds=2", "--quiet", "--json=-"], stdout=subprocess.PIPE, stderr=subprocess.DEVNULL,
                            check=True)
@@ -90,12 +91,14 @@ def row_of(o, model, environment, tolerance, result):
     found, mean = result["tolerance"], result["shading"]["mean"]
     last = found["trials"][-1]["methods"]
     samples = last.get("environment_specular_samples")
+    cheaper = result["plan"]["of_materials"]
     return {"model": model_name(model), "environment": pathlib.Path(environment).stem, "tolerance": tolerance,
             "verdict": "kept" if found["holds"] else ("out of reach" if found["nearest"] else "NOT KEPT"),
             "mean": f"{percent(mean['value'])} (to {percent(mean['high'])})",
-            "specular": last.get("environment_specular", "as asked") + (f" {samples}" if samples else ""),
+            "specular": last.get("environment_specular", "as asked") + (f" {samples}" if samples else "") +
+            (f", cheaper for {len(cheaper)}" if cheaper else ""),
             "filter": last.get("texture_filter", ""), "pictures": len(found["trials"]),
-            "ms": None if o.no_frames else frame_ms(o, model, environment, last)}
+            "ms": None if o.no_frames else frame_ms(o, model, environment, last, cheaper)}
 
 
 def model_name(model):

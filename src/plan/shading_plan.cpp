@@ -16,6 +16,8 @@
 #include <algorithm>
 #include <limits>
 #include <map>
+#include <set>
+#include <string_view>
 #include <tuple>
 
 namespace torrance {
@@ -420,9 +422,13 @@ void Planner::planLighting()
         plan.settings.methods.fresnel->id != "schlick")
         plan.remarks.push_back({"environment", "its Fresnel term is Schlick's",
                                 std::string(plan.settings.methods.fresnel->id) + " has no table"});
+    std::set<std::string_view> formulas;
     for (const Settings& choice : plan.choices)
-        if (const brdf::Method* dfg = choice.methods.dfg; plan.dfgTable && dfg && !brdf::findDfgTable(dfg->id))
-            plan.remarks.push_back({"directional albedo table", "left out", std::string(dfg->id) + " is a formula"});
+        if (const brdf::Method* dfg = choice.methods.dfg; dfg && !brdf::findDfgTable(dfg->id))
+            formulas.insert(dfg->id);
+    for (const std::string_view id : formulas)
+        if (plan.dfgTable)
+            plan.remarks.push_back({"directional albedo table", "left out", std::string(id) + " is a formula"});
     if (!plan.dfgTable)
         plan.remarks.push_back({"directional albedo table", "left out", "no shader reads it"});
 }

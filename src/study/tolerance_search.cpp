@@ -40,6 +40,13 @@ std::vector<PixelBox> blocksOf(const std::vector<CoveredPixel>& pixels, const Se
     return blocksAround(places, settings.width, settings.height);
 }
 
+/// Nothing of it is chosen.
+bool isUnlit(const Scene& scene, int material)
+{
+    const auto index = static_cast<std::size_t>(material);
+    return index < scene.materials.size() && scene.materials[index].unlit;
+}
+
 std::string obstacleOf(const ToleranceResult& result)
 {
     const Tolerance& tolerance = result.plan.tolerance;
@@ -164,7 +171,7 @@ bool Search::holdsByMaterial(const Settings& found)
 {
     std::vector<int> free;
     for (const auto& [material, own] : tried.back().errors)
-        if (!task.asked.ofMaterials.contains(material))
+        if (!task.asked.ofMaterials.contains(material) && !isUnlit(task.scene, material))
             free.push_back(material);
     if (!task.byMaterial || tried.size() < 2 || free.size() < 2)
         return false;

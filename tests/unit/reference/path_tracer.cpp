@@ -507,7 +507,7 @@ TEST_P(TransportBox, IsTheSameHoweverLightsAreFound)
         return meanOf(scene, kBoxCamera, settingsOf(standard, 12, choice), paths, std::uint64_t(choice));
     };
     const Replicates combined = mean(DirectionChoice::combined, 128);
-    const Replicates withoutDraws = mean(DirectionChoice::brdf, 512), byDraws = mean(DirectionChoice::light, 256);
+    const Replicates withoutDraws = mean(DirectionChoice::brdf, 1024), byDraws = mean(DirectionChoice::light, 256);
     EXPECT_GT(combined.mean().g, 0.05) << "it is lit";
     EXPECT_LT(halfWidth95(difference(combined, withoutDraws).variance()), 0.05 * (combined.mean().g * 3.0))
         << "an error of the fifth part of a bounce would show";

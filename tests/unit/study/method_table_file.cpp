@@ -4,8 +4,10 @@
 #include "study/chart_methods.h"
 #include "study/slot_trial.h"
 
+#include "tests/shipped_table.h"
 #include <cmath>
 #include <fstream>
+
 #include <gtest/gtest.h>
 #include <limits>
 #include <sstream>
@@ -103,9 +105,7 @@ TEST(MethodTableFile, IsOfOneDevice)
 // What is shipped is of the registry as it is: torrance calibrate -o assets/methods.measured.json
 TEST(MethodTableFile, IsShippedWhole)
 {
-    std::ostringstream text;
-    text << std::ifstream(TORRANCE_SOURCE_DIR "/assets/methods.measured.json").rdbuf();
-    const MethodTable table = parseMethodTable(text.str(), "assets/methods.measured.json");
+    const MethodTable table = test::shippedTable();
     EXPECT_NE(table.device.find("llvmpipe"), std::string::npos);
     for (const MethodRow& row : table.rows) {
         const std::string name(row.method->id);

@@ -2,13 +2,11 @@
 #include "study/tolerance_search.h"
 
 #include "scene/camera_fit.h"
-#include "study/method_table_file.h"
 #include "tests/panorama_of.h"
+#include "tests/shipped_table.h"
 
-#include <fstream>
 #include <gtest/gtest.h>
 #include <limits>
-#include <sstream>
 #include <vector>
 
 namespace torrance {
@@ -16,19 +14,12 @@ namespace {
 
 constexpr int kSize = 16;
 
-MethodTable shippedTable()
-{
-    std::ostringstream text;
-    text << std::ifstream(TORRANCE_SOURCE_DIR "/assets/methods.measured.json").rdbuf();
-    return parseMethodTable(text.str(), "assets/methods.measured.json");
-}
-
 /// A metal sphere under a bright sky.
 struct Asked
 {
     Scene scene;
     Settings settings{.methods = *brdf::findPreset("standard")};
-    MethodTable table = shippedTable();
+    MethodTable table = test::shippedTable();
     Image black{kSize, kSize, 4};
 
     Asked()
