@@ -1,5 +1,6 @@
 #include "app/material_method_option.h"
 
+#include "app/method_options.h"
 #include "app/option_value.h"
 #include "brdf/slot_option.h"
 #include "core/error.h"
@@ -44,13 +45,8 @@ const brdf::Method* methodFor(const std::string& text, brdf::Slot slot, const br
                               const std::string& id)
 {
     const brdf::Method* method = brdf::findMethod(slot, id);
-    if (!method) {
-        std::vector<std::string> ids;
-        for (const brdf::Method& known : brdf::allMethods())
-            if (known.slot == slot)
-                ids.emplace_back(known.id);
-        refuse(text, id + " is no method of " + brdf::slotWord(slot), "known are " + listed(ids));
-    }
+    if (!method)
+        refuse(text, id + " is no method of " + brdf::slotWord(slot), "known are " + listed(methodIds(slot)));
     if (!asked)
         refuse(text, "the preset takes no " + brdf::slotWord(slot), "leave it out, or use --preset standard");
     return method;
@@ -110,11 +106,10 @@ std::map<int, LightMethods> chosenMaterialMethods(const std::vector<std::string>
             refuse(text, "has no material's number before a colon", "write 0:environment-specular=split_sum");
         LightMethods own = lightMethodsOf(settings);
         std::set<std::string> named;
-        for (std::size_t first = colon + 1; first <= text.size();) {
-            const std::size_t end = std::min(text.find(',', first), text.size());
-            apply(text, text.substr(first, end - first), own, named);
-            first = end + 1;
-        }
+        for (const std::string& part : splitAtCommas(text.substr(colon + 1)))
+            apply(text, part, own, named);
+        if (named.empty())
+            refuse(text, "names no method", knownNames());
         if (named.contains(kEnvironmentSamplesName) && !drawsEnvironmentSamples(own))
             refuse(text, "its environment-specular draws no samples", "choose one that does, such as vndf_bounded");
         if (named.contains(kLightSamplesName) && !drawsLightSamples(own))

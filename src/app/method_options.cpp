@@ -11,15 +11,6 @@
 namespace torrance {
 namespace {
 
-std::vector<std::string> methodIds(brdf::Slot slot)
-{
-    std::vector<std::string> ids;
-    for (const brdf::Method& method : brdf::allMethods())
-        if (method.slot == slot)
-            ids.emplace_back(method.id);
-    return ids;
-}
-
 // A source's model stands for the whole of its preset; the model gltf is that of the other presets.
 brdf::Preset startingPreset(const MethodOptions& options)
 {
@@ -56,17 +47,6 @@ const brdf::ModelOption& modelOption(const brdf::Preset& preset, const std::stri
                      known.empty() ? "leave out --" + kind + ": it has none" : "known are " + known);
 }
 
-std::vector<std::string> splitAtCommas(const std::string& text)
-{
-    std::vector<std::string> parts;
-    for (std::size_t first = 0; !text.empty() && first <= text.size();) {
-        const std::size_t end = std::min(text.find(',', first), text.size());
-        parts.push_back(text.substr(first, end - first));
-        first = end + 1;
-    }
-    return parts;
-}
-
 void setParameter(const std::string& choice, brdf::Preset& preset)
 {
     const std::size_t equals = choice.find('=');
@@ -80,6 +60,15 @@ void setParameter(const std::string& choice, brdf::Preset& preset)
 }
 
 } // namespace
+
+std::vector<std::string> methodIds(brdf::Slot slot)
+{
+    std::vector<std::string> ids;
+    for (const brdf::Method& method : brdf::allMethods())
+        if (method.slot == slot)
+            ids.emplace_back(method.id);
+    return ids;
+}
 
 void declareModelChoices(CLI::App& app, ModelChoices& choices)
 {

@@ -5,6 +5,7 @@
 
 #include <map>
 #include <string>
+#include <vector>
 
 namespace CLI {
 class App;
@@ -18,6 +19,9 @@ struct ModelChoices
     std::string quirks;     // "NAME,NAME"
     std::string parameters; // "NAME=VALUE,NAME=VALUE"
 };
+
+/// Of a slot, as the command line takes them.
+std::vector<std::string> methodIds(brdf::Slot slot);
 
 /// --quirk and --parameter.
 void declareModelChoices(CLI::App& app, ModelChoices& choices);

@@ -49,6 +49,17 @@ CLI::Option* addChoice(CLI::App& app, const std::string& name, std::string& valu
     return option->check([known = std::move(known)](const std::string& given) { return problemWith(given, known); });
 }
 
+std::vector<std::string> splitAtCommas(const std::string& text)
+{
+    std::vector<std::string> parts;
+    for (std::size_t first = 0; !text.empty() && first <= text.size();) {
+        const std::size_t end = std::min(text.find(',', first), text.size());
+        parts.push_back(text.substr(first, end - first));
+        first = end + 1;
+    }
+    return parts;
+}
+
 std::vector<double> parseNumbers(const std::string& option, const std::string& text, std::size_t least,
                                  std::size_t most)
 {

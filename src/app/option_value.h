@@ -21,6 +21,9 @@ CLI::Option* addChoice(CLI::App& app, const std::string& name, std::string& valu
 /// "a, b, c".
 std::string listed(const std::vector<std::string>& names);
 
+/// The parts between commas; none of an empty text.
+std::vector<std::string> splitAtCommas(const std::string& text);
+
 /// Between `least` and `most` finite numbers separated by commas; an Error (usage) names the option.
 std::vector<double> parseNumbers(const std::string& option, const std::string& text, std::size_t least,
                                  std::size_t most);

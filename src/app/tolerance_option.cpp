@@ -92,9 +92,9 @@ std::vector<std::string> argumentsFound(std::vector<std::string> arguments, cons
         const Rung& rung = ladder.taken();
         arguments.push_back(brdf::slotOption(ladder.slot) + "=" + std::string(rung.method->id));
         if (rung.samples > 0)
-            arguments.push_back(
-                fmt::format("--{}={}", ladder.slot == brdf::Slot::areaLight ? "light-samples" : "environment-samples",
-                            rung.samples));
+            arguments.push_back(fmt::format(
+                "--{}={}", ladder.slot == brdf::Slot::areaLight ? kLightSamplesName : kEnvironmentSamplesName,
+                rung.samples));
     }
     for (const auto& [material, own] : found.settings.ofMaterials)
         arguments.push_back("--material-methods=" + materialMethodsText(material, own));

@@ -64,16 +64,6 @@ std::string obstacleOf(const ToleranceResult& result)
            (worst.cause.method.empty() ? worst.cause.slot : worst.cause.slot + " " + worst.cause.method);
 }
 
-} // namespace
-
-bool isWithin(const Tolerance& tolerance, const ErrorNumbers& error)
-{
-    return error.mean.high <= tolerance.mean &&
-           (!tolerance.percentile99 || error.percentile99.high <= *tolerance.percentile99);
-}
-
-namespace {
-
 class Search
 {
 public:
@@ -215,6 +205,12 @@ ToleranceResult Search::run()
 }
 
 } // namespace
+
+bool isWithin(const Tolerance& tolerance, const ErrorNumbers& error)
+{
+    return error.mean.high <= tolerance.mean &&
+           (!tolerance.percentile99 || error.percentile99.high <= *tolerance.percentile99);
+}
 
 ToleranceResult drawWithin(const ToleranceTask& task, const DrawPicture& draw)
 {

@@ -1,6 +1,5 @@
 #include "view/render_command.h"
 
-#include "brdf/environment.h"
 #include "brdf/slot_option.h"
 #include "image/tone_curves.h"
 #include "plan/path_plan.h"
@@ -58,12 +57,11 @@ void addMethods(const Settings& settings, std::vector<std::string>& arguments)
         if (method && method != preset[slot])
             arguments.push_back(brdf::slotOption(slot) + "=" + std::string(method->id));
     }
-    if (const brdf::Method* specular = settings.methods.environmentSpecular;
-        specular && brdf::drawsSamples(*specular) && settings.environmentSamples != Settings().environmentSamples)
-        arguments.push_back(fmt::format("--environment-samples={}", settings.environmentSamples));
-    if (const brdf::Method* area = settings.methods.areaLight;
-        area && area->id == "sampled" && settings.lightSamples != Settings().lightSamples)
-        arguments.push_back(fmt::format("--light-samples={}", settings.lightSamples));
+    const LightMethods light = lightMethodsOf(settings);
+    if (drawsEnvironmentSamples(light) && settings.environmentSamples != Settings().environmentSamples)
+        arguments.push_back(fmt::format("--{}={}", kEnvironmentSamplesName, settings.environmentSamples));
+    if (drawsLightSamples(light) && settings.lightSamples != Settings().lightSamples)
+        arguments.push_back(fmt::format("--{}={}", kLightSamplesName, settings.lightSamples));
     for (const auto& [material, own] : settings.ofMaterials)
         arguments.push_back("--material-methods=" + materialMethodsText(material, own));
     if (settings.path)

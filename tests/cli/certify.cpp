@@ -243,6 +243,8 @@ TEST_F(Certify, RecordsTheMethodsOfMaterials)
     EXPECT_EQ(verify("a.exr").exitCode, 0);
     drawn("b.exr", {"--environment-specular", "vndf_bounded", "--environment-samples", "16"});
     EXPECT_EQ(readImage(folder.file("a.exr")).image.texels, readImage(folder.file("b.exr")).image.texels);
+    EXPECT_EQ(json["worst"]["cause"],
+              nlohmann::json::parse(folder.content("b.exr.certificate.json"))["worst"]["cause"]);
     drawn("c.exr", {});
     EXPECT_NE(readImage(folder.file("a.exr")).image.texels, readImage(folder.file("c.exr")).image.texels);
 }

@@ -262,6 +262,25 @@ TEST(TolerancePlan, WritesItsChoiceIntoTheSettings)
     EXPECT_EQ(drawn.methods.distribution, standard().distribution) << "the model stays as it was asked for";
 }
 
+// Rungs have the cost of whole frames, of which what all of them share counts once.
+TEST(TolerancePlan, ExpectsTheCostOfItsChoice)
+{
+    TolerancePlan plan = {{.mean = 0.01, .percentile99 = {}}, {}};
+    constexpr double kNotMeasured = std::numeric_limits<double>::quiet_NaN();
+    const auto ladder = [&](Slot slot, double cheap, double dear) {
+        plan.ladders.push_back(
+            {.slot = slot, .rungs = {{nullptr, 0, cheap, 0.1}, {nullptr, 0, dear, 0.0}}, .refused = {}});
+    };
+    ladder(Slot::environmentSpecular, 100.0, 900.0);
+    ladder(Slot::dfg, 95.0, 102.0);
+    ladder(Slot::textureFilter, kNotMeasured, kNotMeasured);
+    EXPECT_EQ(expectedCost(plan), 100.0);
+    plan.ladders[1].at = 1;
+    EXPECT_EQ(expectedCost(plan), 107.0);
+    plan.ladders[0].at = plan.ladders[2].at = 1;
+    EXPECT_EQ(expectedCost(plan), 907.0);
+}
+
 // What a picture itself says of a slot takes part as what the table says does.
 TEST(TolerancePlan, AMeasuredSlotBeginsWithinItsShareAndGoesUpAsOthersDo)
 {

@@ -1,9 +1,8 @@
 #include "view/method_search.h"
 
 #include "core/error.h"
-#include "core/read_file.h"
 #include "scene/camera_fit.h"
-#include "study/method_table_file.h"
+#include "tests/shipped_table.h"
 
 #include <chrono>
 #include <gtest/gtest.h>
@@ -17,13 +16,6 @@ std::atomic<int> announced = 0;
 void announce()
 {
     ++announced;
-}
-
-MethodTable shippedTable()
-{
-    const std::string file = TORRANCE_SOURCE_DIR "/assets/methods.measured.json";
-    const std::vector<std::byte> bytes = readFile(file);
-    return parseMethodTable({reinterpret_cast<const char*>(bytes.data()), bytes.size()}, file);
 }
 
 // A rough sphere under half a sky.
@@ -65,7 +57,7 @@ TEST(MethodSearch, AsksForPicturesAndSaysWhatItFound)
     const Camera camera = fitCamera(scene, {}, 1.0, 0.8, 0.05);
     MethodSearch search(announce);
     announced = 0;
-    search.start(scene, camera, small(), shippedTable(), {.mean = 0.01, .percentile99 = {}});
+    search.start(scene, camera, small(), test::shippedTable(), {.mean = 0.01, .percentile99 = {}});
     std::optional<ToleranceResult> result;
     int pictures = 0;
     ASSERT_TRUE(comes([&] {
@@ -91,11 +83,11 @@ TEST(MethodSearch, StopsWhileItComputesAndWhileItWaits)
     const Scene scene = sphere();
     const Camera camera = fitCamera(scene, {}, 1.0, 0.8, 0.05);
     MethodSearch search(announce);
-    search.start(scene, camera, small(), shippedTable(), {.mean = 1e-5, .percentile99 = {}}); // minutes of truths
+    search.start(scene, camera, small(), test::shippedTable(), {.mean = 1e-5, .percentile99 = {}}); // minutes of truths
     search.stop();
     EXPECT_FALSE(search.isRunning());
     EXPECT_FALSE(search.take());
-    search.start(scene, camera, small(), shippedTable(), {.mean = 0.5, .percentile99 = {}});
+    search.start(scene, camera, small(), test::shippedTable(), {.mean = 0.5, .percentile99 = {}});
     ASSERT_TRUE(comes([&] { return search.wanted().has_value(); }));
     search.stop();
     EXPECT_FALSE(search.isRunning());
@@ -108,7 +100,7 @@ TEST(MethodSearch, RefusesWhatHasNoExactLight)
     Settings term = small();
     term.view = findView("roughness");
     MethodSearch search(announce);
-    EXPECT_THROW(search.start(scene, Camera(), term, shippedTable(), {}), Error);
+    EXPECT_THROW(search.start(scene, Camera(), term, test::shippedTable(), {}), Error);
     EXPECT_FALSE(search.isRunning());
 }
 

@@ -44,6 +44,10 @@ TEST(RenderCommand, SaysEverythingThatWasChanged)
     state.view = FileView{2};
     state.settings.methods = *brdf::findPreset("gltf");
     state.settings.methods.distribution = brdf::findMethod(brdf::Slot::distribution, "beckmann");
+    LightMethods own = lightMethodsOf(state.settings);
+    own.methods[1] = brdf::findMethod(kLightSlots[1], "vndf_bounded");
+    own.environmentSamples = 16;
+    state.settings.ofMaterials = {{3, own}};
     state.settings.path = RenderPath::prepass;
     state.settings.triangleCulling = false;
     state.settings.background = BackgroundKind::transparent;
@@ -61,6 +65,7 @@ TEST(RenderCommand, SaysEverythingThatWasChanged)
                                                "--environment-intensity=2",
                                                "--preset=gltf",
                                                "--distribution=beckmann",
+                                               "--material-methods=" + materialMethodsText(3, own),
                                                "--path=prepass",
                                                "--triangle-culling=off",
                                                "--resolution=640x360",
