@@ -22,16 +22,27 @@ std::vector<PixelBox> someBlocks(int width, int height)
     return blocksAround(pixels, width, height);
 }
 
-/// Of a renderer of its own each: a picture keeps what is not drawn, and must not find it there.
+/// A picture keeps what is not drawn. In a new target that is whatever lay in its memory, the whole picture of the
+/// renderer before as like as not: here it is a colour that no picture has.
+Picture drawnOverPurple(const Scene& scene, const Camera& camera, const ShadingPlan& plan,
+                        std::span<const PixelBox> only)
+{
+    Renderer renderer(device(), shaders(), {});
+    Settings purple = plan.settings;
+    purple.path = {};
+    purple.background = BackgroundKind::color;
+    purple.backgroundColor = dvec3(7.0, 0.0, 7.0);
+    const Scene nothing;
+    const ShadingPlan blank = makePlan(nothing, purple);
+    renderer.render(renderer.upload(nothing, blank), camera);
+    return renderer.render(renderer.upload(scene, plan), camera, {}, only);
+}
+
 void expectPartsOfTheWhole(const Scene& scene, const Camera& camera, const Settings& settings, const std::string& name)
 {
     const ShadingPlan plan = makePlan(scene, settings);
     const std::vector<PixelBox> only = someBlocks(settings.width, settings.height);
-    const auto drawn = [&](std::span<const PixelBox> boxes) {
-        Renderer renderer(device(), shaders(), {});
-        return renderer.render(renderer.upload(scene, plan), camera, {}, boxes);
-    };
-    const Picture whole = drawn({}), parts = drawn(only);
+    const Picture whole = drawnOverPurple(scene, camera, plan, {}), parts = drawnOverPurple(scene, camera, plan, only);
     EXPECT_TRUE(parts.layers.empty());
     std::vector<bool> inside(std::size_t(settings.width) * std::size_t(settings.height));
     int seen = 0, left = 0;
